@@ -1,0 +1,109 @@
+// Compiled expressions: three-address instructions over constants, variables (slots) and
+// temporaries, flat and without pointers. load/emit.h writes them, exec/evaluate.h runs them,
+// dump() prints them. Nothing here evaluates anything. Covered by tests/exec/evaluate_test.cpp.
+//
+//     elapsed() > limit       elapsed_since t0 row 4
+//                             greater       t0 t0 s7   last
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/ids.h"
+#include "core/value.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trellis {
+
+/// The two settings of the expression language. Trees: BehaviorTree.CPP to the letter (both
+/// operands of && and || are evaluated, a variable keeps its first type, == has a tolerance).
+/// Machines: short-circuit, dynamic types, exact ==.
+enum class Dialect : std::uint8_t { tree, machine };
+
+/// The operations, listed and explained in core/code_ops.def.
+enum class CodeOp : std::uint8_t {
+#define CODE_OP(name, meaning) name,
+#include "core/code_ops.def"
+};
+
+/// Where an operand lies: EvalContext::base[space][index].
+enum class Space : std::uint8_t { constant, slot, temporary };
+
+/// One operand: 2 bits space, 30 bits index.
+class Operand {
+public:
+    constexpr Operand() = default;
+    constexpr Operand(Space space, std::uint32_t index)
+        : bits_(static_cast<std::uint32_t>(space) << 30 | index) {}
+
+    constexpr Space space() const { return static_cast<Space>(bits_ >> 30); }
+    constexpr std::uint32_t index() const { return bits_ & 0x3FFFFFFF; }
+    friend constexpr bool operator==(Operand, Operand) = default;
+
+private:
+    std::uint32_t bits_ = 0;
+};
+
+/// 16 bytes. Which fields an operation reads is said in code_ops.def.
+struct Instruction {
+    CodeOp op;
+    bool last : 1;             ///< its target is the result of the expression
+    bool tree : 1;             ///< Dialect::tree rules, else Dialect::machine
+    std::uint16_t target = 0;  ///< temporary that receives the result
+    Operand a;
+    Operand b;
+    std::uint32_t extra =
+        0;  ///< instruction (from the start of the table), row, byte offset or count
+
+    friend bool operator==(const Instruction&, const Instruction&) = default;
+};
+
+static_assert(sizeof(Instruction) == 16);
+
+/// While an instruction in [begin, end) fails, evaluation goes on at `handler` instead (isDefined).
+struct Guard {
+    std::uint32_t begin;
+    std::uint32_t end;
+    std::uint32_t handler;
+
+    friend bool operator==(const Guard&, const Guard&) = default;
+};
+
+/// All expressions of a program. A CodeId is the first instruction of one; it ends where control
+/// reaches an instruction with `last`.
+struct CodeTable {
+    std::vector<Instruction> instructions;
+    std::vector<Value> constants;
+    std::vector<std::uint32_t>
+        offsets;  ///< per instruction: byte of the expression's text that it came from
+    std::vector<Guard> guards;      ///< inner ones before outer ones
+    std::uint32_t temporaries = 0;  ///< how many the most demanding expression needs
+
+    friend bool operator==(const CodeTable&, const CodeTable&) = default;
+};
+
+/// What a tree's variable accepts; the byte beside its value (EvalContext::entry_types). `missing`:
+/// the variable does not exist yet, only := creates it. `any`: made by a script or an untyped port.
+/// The others: made by a port or a constant of that type, which then converts texts that scripts
+/// assign. All follow BehaviorTree.CPP (exec/evaluate_tree.cpp).
+enum class EntryType : std::uint8_t {
+    missing,
+    any,
+    boolean,
+    integer,
+    unsigned_integer,
+    real,
+    text
+};
+
+/// The name of an operation as in code_ops.def, for example "read_at".
+std::string_view name_of(CodeOp op);
+
+/// One line per instruction, readable: "12  greater t0 = t0, s7  last". Constants are printed as
+/// values.
+std::string dump(const CodeTable& code);
+
+}  // namespace trellis
