@@ -29,6 +29,25 @@ enum class CodeOp : std::uint8_t {
 #include "core/code_ops.def"
 };
 
+/// The functions, listed and explained in core/functions.def.
+enum class Function : std::uint8_t {
+#define FUNCTION(name, fewest, most, meaning) name,
+#include "core/functions.def"
+};
+
+/// What the loader checks and suggests about a function.
+struct FunctionInfo {
+    std::string_view name;
+    std::uint8_t fewest;
+    std::uint8_t most;         ///< arguments; any_number: no upper limit
+    std::string_view meaning;  ///< one line for the manual
+
+    static constexpr std::uint8_t any_number = 255;
+};
+
+/// All functions, indexed by Function.
+std::span<const FunctionInfo> functions();
+
 /// Where an operand lies: EvalContext::base[space][index].
 enum class Space : std::uint8_t { constant, slot, temporary };
 
@@ -45,6 +64,28 @@ public:
 
 private:
     std::uint32_t bits_ = 0;
+};
+
+/// What went wrong. exec/evaluate.h describes it in words.
+enum class EvalErrorKind : std::uint8_t {
+    none,
+    undeclared,         ///< the name means nothing here
+    read_only,          ///< the name cannot be assigned to
+    not_assignable,     ///< left of := is no variable
+    missing,            ///< the tree's variable does not exist (yet)
+    empty,              ///< the tree's variable or operand has no value
+    operands,           ///< the operator does not take these kinds
+    not_integral,       ///< a bitwise operator needs whole numbers of 64 bits
+    inexact,            ///< an integer beyond 2^53 has no exact double
+    not_a_condition,    ///< the value cannot decide a condition
+    not_a_number,       ///< a number is needed
+    text_not_a_number,  ///< the text does not start with a number
+    type_fixed,         ///< the value does not fit the type that the tree's variable has
+    no_such_place,  ///< there is no such member or element to write to, or none can be read from
+                    ///< undefined
+    nested_too_deeply,  ///< arrays and objects nest at most Value::max_depth deep
+    no_such_state,      ///< In() of a name that no state has
+    no_random           ///< a random number where the host gives none
 };
 
 /// 16 bytes. Which fields an operation reads is said in code_ops.def.
@@ -72,6 +113,15 @@ struct Guard {
     friend bool operator==(const Guard&, const Guard&) = default;
 };
 
+/// A name that stands for a number: in trees an enum constant, which texts may name at run time
+/// ('RED' == 1).
+struct EnumValue {
+    std::string name;
+    double value;
+
+    friend bool operator==(const EnumValue&, const EnumValue&) = default;
+};
+
 /// All expressions of a program. A CodeId is the first instruction of one; it ends where control
 /// reaches an instruction with `last`.
 struct CodeTable {
@@ -80,6 +130,7 @@ struct CodeTable {
     std::vector<std::uint32_t>
         offsets;  ///< per instruction: byte of the expression's text that it came from
     std::vector<Guard> guards;      ///< inner ones before outer ones
+    std::vector<EnumValue> enums;   ///< sorted by name; filled in by the compiler
     std::uint32_t temporaries = 0;  ///< how many the most demanding expression needs
 
     friend bool operator==(const CodeTable&, const CodeTable&) = default;
