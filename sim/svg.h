@@ -1,0 +1,32 @@
+// What every drawing needs to write SVG: numbers of one decimal and text of bounded width. No
+// document, no shapes. Covered by tests/sim/svg_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trellis::svg {
+
+/// A coordinate in tenths of a unit: integers, so that no digit depends on a library's printing.
+/// Values beyond ±10^7 tenths are cut to that, NaN is 0.
+std::int64_t tenths(double value);
+
+/// A number of tenths as "12.3", "-0.4" or "7".
+std::string number(std::int64_t tenths);
+
+/// A value rounded to one decimal, in the same form.
+std::string number(double value);
+
+/// UTF-8 `text` as character data or attribute value; what XML 1.0 cannot hold becomes a space.
+std::string escaped(std::string_view text);
+
+/// The letters of UTF-8 `text`: its code points.
+std::size_t letters(std::string_view text);
+
+/// UTF-8 `text` cut to at most `most` letters, at least one; a cut ends in "…", which counts.
+std::string shortened(std::string_view text, std::size_t most);
+
+}  // namespace trellis::svg

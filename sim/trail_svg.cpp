@@ -1,0 +1,272 @@
+// Lays the picture out: title, room with trail, marks and robot, scale and legend. Inside the room
+// one unit is 1 cm, the lab's pixel.
+// SPDX-License-Identifier: MIT
+#include "sim/trail_svg.h"
+
+#include "sim/svg.h"
+#include "sim/trail_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace trellis {
+namespace {
+
+using svg::number;
+
+// layout, in pixels
+constexpr double margin = 32.0;        // left and right of the room
+constexpr double header = 76.0;        // above the room
+constexpr double footer = 32.0;        // from the room to the first row of the legend
+constexpr double row_height = 22.0;    // of the legend
+constexpr double legend_left = 192.0;  // where the legend begins, right of the scale bar
+constexpr double narrowest = 544.0;    // of the picture: title and legend need some width
+constexpr double title_letter = 10.0;  // width of a letter of 18 pixels in bold, generous
+constexpr double letter = 6.9;         // width of a letter of 12 pixels, generous
+
+constexpr const char* ink = "#262626";
+
+/// `  name="value"`, value of a number or a text that needs no escaping.
+std::string attribute(std::string_view name, std::string_view value) {
+    return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string attribute(std::string_view name, double value) {
+    return attribute(name, number(value));
+}
+
+std::string path(std::string_view attributes, std::string_view data) {
+    return "<path" + std::string(attributes) + attribute("d", data) + "/>\n";
+}
+
+std::string text(double x, double y, std::string_view attributes, std::string_view words) {
+    return "<text" + attribute("x", x) + attribute("y", y) + std::string(attributes) + ">" +
+           svg::escaped(words) + "</text>\n";
+}
+
+std::string moved_to(double x, double y, std::string_view content) {
+    return "<g" + attribute("transform", "translate(" + number(x) + " " + number(y) + ")") + ">\n" +
+           std::string(content) + "</g>\n";
+}
+
+/// Floor, a line every metre, and walls outside the floor.
+std::string room(const LabWorld& world) {
+    const double width = world.width * 100.0;
+    const double height = world.height * 100.0;
+    std::string grid;
+    for (double x = 100.0; x < width; x += 100.0)
+        grid += "M" + number(x) + " 0v" + number(height);
+    for (double y = 100.0; y < height; y += 100.0)
+        grid += "M0 " + number(y) + "h" + number(width);
+
+    std::string out = "<rect" + attribute("width", width) + attribute("height", height) +
+                      attribute("fill", "#fbfaf6") + "/>\n";
+    if (!grid.empty()) out += path(attribute("stroke", "#e8e5da"), grid);
+    return out + "<rect" + attribute("x", -1.5) + attribute("y", -1.5) +
+           attribute("width", width + 3.0) + attribute("height", height + 3.0) +
+           attribute("fill", "none") + attribute("stroke", ink) + attribute("stroke-width", 3.0) +
+           "/>\n";
+}
+
+/// Lines and dots of every leaf, the farthest driven below: short ways stay visible.
+std::string lines(std::vector<LeafLines> leaves, TrailLook look) {
+    const bool lab = look == TrailLook::lab;
+    std::stable_sort(leaves.begin(), leaves.end(),
+                     [](const LeafLines& a, const LeafLines& b) { return a.length > b.length; });
+    std::string out = "<g" + attribute("fill", "none") + attribute("stroke-linejoin", "round") +
+                      attribute("stroke-linecap", "round") +
+                      attribute("stroke-width", lab ? 4.0 : 1.8) + ">\n";
+    for (const LeafLines& leaf : leaves) {
+        const std::string stroke = attribute("stroke", leaf.colour);
+        const std::string dash = leaf.dash.empty() ? "" : attribute("stroke-dasharray", leaf.dash);
+        if (!leaf.lines.empty()) out += path(stroke + dash, leaf.lines);
+        if (!leaf.dots.empty() && !lab)
+            out += path(stroke + attribute("stroke-width", 4.8), leaf.dots);
+    }
+    return out + "</g>\n";
+}
+
+/// Where walls were touched, in whole pixels, and how many ticks had their bumper pressed.
+struct Bumps {
+    std::string marks;  // path data: a short line from the wall inwards, each place once
+    std::size_t ticks = 0;
+};
+
+Bumps bumps_of(const LabWorld& world, std::span<const TrailPoint> trail) {
+    Bumps bumps;
+    std::vector<std::string> marks;
+    const auto at = [](double x, double y) {
+        return "M" + number(std::round(x * 100.0)) + " " + number(std::round(y * 100.0));
+    };
+    for (const TrailPoint& point : trail) {
+        const Contacts wall = contacts(world, point.x, point.y);
+        if (wall.left) marks.push_back(at(0.0, point.y) + "h8");
+        if (wall.right) marks.push_back(at(world.width, point.y) + "h-8");
+        if (wall.top) marks.push_back(at(point.x, 0.0) + "v8");
+        if (wall.bottom) marks.push_back(at(point.x, world.height) + "v-8");
+        if (wall.any()) ++bumps.ticks;
+    }
+    std::sort(marks.begin(), marks.end());
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+    for (const std::string& mark : marks)
+        bumps.marks += mark;
+    return bumps;
+}
+
+/// The robot from above: its disc, the bumper in front, and where it looks.
+std::string robot_disc(const LabWorld& world, const Roomba& robot) {
+    const double radius = world.radius * 100.0;
+    const double bumper = std::numbers::pi / 3.0;  // to each side of the heading
+    const auto spot = [&](double angle, double distance) {
+        return number(distance * std::cos(angle)) + " " + number(distance * std::sin(angle));
+    };
+    const double rim = radius - 2.0;
+    std::string disc = "<circle" + attribute("r", radius) + attribute("fill", "#ffffff") +
+                       attribute("fill-opacity", "0.92") + attribute("stroke", ink) +
+                       attribute("stroke-width", 1.5) + "/>\n";
+    const std::string line =
+        attribute("fill", "none") + attribute("stroke", ink) + attribute("stroke-linecap", "round");
+    disc += path(line + attribute("stroke-width", 3.5),
+                 "M" + spot(robot.rotation - bumper, rim) + "A" + number(rim) + " " + number(rim) +
+                     " 0 0 1 " + spot(robot.rotation + bumper, rim));
+    disc += path(line + attribute("stroke-width", 2.5), "M0 0L" + spot(robot.rotation, rim - 4.0));
+    return moved_to(robot.x * 100.0, robot.y * 100.0, disc);
+}
+
+std::string start_ring() {
+    return "<circle" + attribute("r", 5.0) + attribute("fill", "#ffffff") +
+           attribute("stroke", ink) + attribute("stroke-width", 2.0) + "/>\n";
+}
+
+std::string bump_stroke() {
+    return attribute("stroke", ink) + attribute("stroke-width", 1.6);
+}
+
+/// One entry of the legend: a drawing 24 wide around y = 0, and its words.
+struct Entry {
+    std::string drawing;
+    std::string words;
+};
+
+/// What the legend explains: the leaves that ran, with their share of the ticks, and the marks.
+std::vector<Entry> entries_of(std::span<const LeafLines> leaves, const Bumps& bumps) {
+    const std::size_t ticks =
+        std::accumulate(leaves.begin(), leaves.end(), std::size_t{0},
+                        [](std::size_t sum, const LeafLines& leaf) { return sum + leaf.ticks; });
+    std::vector<Entry> entries;
+    for (const LeafLines& leaf : leaves) {
+        if (leaf.ticks == 0) continue;
+        Entry entry;
+        const std::string stroke = attribute("stroke", leaf.colour);
+        if (leaf.lines.empty())
+            entry.drawing =
+                path(stroke + attribute("stroke-width", 7.0) + attribute("stroke-linecap", "round"),
+                     "M12 0h0");
+        else
+            entry.drawing =
+                path(stroke + attribute("stroke-width", 3.0) +
+                         (leaf.dash.empty() ? "" : attribute("stroke-dasharray", leaf.dash)),
+                     "M0 0h24");
+        entry.words = svg::shortened(leaf.name, 32);
+        if (leaves.size() > 1)
+            entry.words +=
+                " " + number(100.0 * static_cast<double>(leaf.ticks) / static_cast<double>(ticks)) +
+                " %";
+        entries.push_back(std::move(entry));
+    }
+    entries.push_back({moved_to(12.0, 0.0, start_ring()), "start"});
+    if (bumps.ticks != 0) entries.push_back({path(bump_stroke(), "M12 -4v8"), "bump"});
+    return entries;
+}
+
+/// Scale bar and legend, in rows from y = 0 downwards.
+struct Foot {
+    std::string svg;
+    double height = 0.0;
+};
+
+Foot foot(std::span<const Entry> entries, double width) {
+    Foot result;
+    result.svg =
+        path(attribute("fill", "none") + attribute("stroke", ink) + attribute("stroke-width", 1.5),
+             "M" + number(margin) + " -5v10m0 -5h100m0 -5v10");
+    result.svg += text(margin + 108.0, 4.0, "", "1 m");
+
+    double x = legend_left;
+    double y = 0.0;
+    for (const Entry& entry : entries) {
+        const double entry_width = 32.0 + letter * static_cast<double>(svg::letters(entry.words));
+        if (x + entry_width > width - margin && x > legend_left) {
+            x = legend_left;
+            y += row_height;
+        }
+        result.svg += moved_to(x, y, entry.drawing + text(32.0, 4.0, "", entry.words));
+        x += entry_width + 18.0;
+    }
+    result.height = y + row_height;
+    return result;
+}
+
+/// "seed 7 · 600 s · 41 bumps"; a trail that does not begin at the start says how much it shows.
+std::string subtitle(const LabWorld& world, std::span<const TrailPoint> trail,
+                     const TrailPicture& picture, const Bumps& bumps) {
+    std::string words = picture.run.empty() ? "" : std::string(picture.run) + " · ";
+    words += number(picture.seconds) + " s";
+    if (!trail.empty() && (trail[0].x != world.start.x || trail[0].y != world.start.y))
+        words += " · last " + std::to_string(trail.size()) + " ticks";
+    words += " · " + std::to_string(bumps.ticks);
+    return words + (bumps.ticks == 1 ? " bump" : " bumps");
+}
+
+}  // namespace
+
+std::string trail_svg(const LabWorld& world, std::span<const TrailPoint> trail, const Roomba& end,
+                      const TrailPicture& picture) {
+    const bool lab = picture.look == TrailLook::lab;
+    std::vector<TrailPoint> way(trail.begin(), trail.end());
+    way.push_back({.x = end.x, .y = end.y});
+    const std::vector<LeafLines> leaves = lab || picture.leaves.empty()
+                                              ? std::vector<LeafLines>{red_line(way)}
+                                              : leaf_lines(way, picture.leaves);
+    const Bumps bumps = bumps_of(world, trail);
+
+    const double width = std::max(world.width * 100.0 + 2.0 * margin, narrowest);
+    const double room_left = (width - world.width * 100.0) / 2.0;
+    const double foot_top = header + world.height * 100.0 + footer;
+    const Foot below = foot(lab ? std::vector<Entry>{} : entries_of(leaves, bumps), width);
+    const double height = foot_top + below.height;
+    const auto fitting = [&](std::string_view words, double letter_width) {
+        return svg::shortened(words,
+                              static_cast<std::size_t>((width - 2.0 * margin) / letter_width));
+    };
+
+    std::string inside = room(world) + lines(leaves, picture.look);
+    if (!lab) {
+        if (!bumps.marks.empty()) inside += path(bump_stroke(), bumps.marks);
+        inside += moved_to(world.start.x * 100.0, world.start.y * 100.0, start_ring());
+    }
+    inside += robot_disc(world, end);
+
+    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
+                      attribute("height", height) +
+                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
+                      attribute("role", "img") +
+                      attribute("font-family", "Helvetica, Arial, sans-serif") +
+                      attribute("font-size", 12.0) + attribute("fill", ink) + ">\n";
+    out += "<title>" + svg::escaped(picture.title) + ": trail of the robot</title>\n";
+    out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    out += text(margin, 36.0, attribute("font-size", 18.0) + attribute("font-weight", "bold"),
+                fitting(picture.title, title_letter));
+    out += text(margin, 57.0, attribute("fill", "#5a5a5a"),
+                fitting(subtitle(world, trail, picture, bumps), letter));
+    out += moved_to(room_left, header, inside);
+    out += moved_to(0.0, foot_top, below.svg);
+    return out + "</svg>\n";
+}
+
+}  // namespace trellis
