@@ -4,12 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace trellis::svg {
 namespace {
 
-bool begins_letter(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+constexpr std::string_view ellipsis = "…";
+
+/// Width of the letter that begins with byte `c`, in font sizes; 0 for a byte inside a letter.
+/// The classes are those of DejaVu Sans, the widest font that is common.
+double letter_width(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) return 0.0;
+    if (byte >= 0xE0) return 1.0;
+    if (std::string_view("MWmw@%").find(c) != std::string_view::npos) return 0.98;
+    if (std::string_view("Iijlft .,:;'|!()[]").find(c) != std::string_view::npos) return 0.4;
+    return c >= 'A' && c <= 'Z' ? 0.74 : 0.63;
 }
 
 }  // namespace
@@ -44,16 +54,22 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-std::size_t letters(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_letter));
+double text_width(std::string_view text, double size) {
+    double width = 0.0;
+    for (const char c : text)
+        width += letter_width(c) * size;
+    return width;
 }
 
-std::string shortened(std::string_view text, std::size_t most) {
-    if (letters(text) <= most) return std::string(text);
+std::string fitted(std::string_view text, double width, double size) {
+    if (text_width(text, size) <= width) return std::string(text);
+    double room = width - text_width(ellipsis, size);
     std::size_t end = 0;
-    for (std::size_t seen = 0; end < text.size(); ++end)
-        if (begins_letter(text[end]) && ++seen == std::max<std::size_t>(most, 1)) break;
-    return std::string(text.substr(0, end)) + "…";
+    for (; end < text.size(); ++end) {
+        room -= letter_width(text[end]) * size;
+        if (room < 0.0) break;
+    }
+    return std::string(text.substr(0, end)) + std::string(ellipsis);
 }
 
 }  // namespace trellis::svg

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,10 +22,11 @@ std::string number(double value);
 /// UTF-8 `text` as character data or attribute value; what XML 1.0 cannot hold becomes a space.
 std::string escaped(std::string_view text);
 
-/// The letters of UTF-8 `text`: its code points.
-std::size_t letters(std::string_view text);
+/// Width of UTF-8 `text` in a sans-serif font of `size` pixels, in pixels: an estimate that is
+/// rather too wide, since the viewer chooses the font.
+double text_width(std::string_view text, double size);
 
-/// UTF-8 `text` cut to at most `most` letters, at least one; a cut ends in "…", which counts.
-std::string shortened(std::string_view text, std::size_t most);
+/// UTF-8 `text`, cut so that it and the "…" in place of the rest are at most `width` pixels wide.
+std::string fitted(std::string_view text, double width, double size);
 
 }  // namespace trellis::svg

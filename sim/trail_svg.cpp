@@ -26,12 +26,13 @@ constexpr double footer = 32.0;        // from the room to the first row of the 
 constexpr double row_height = 22.0;    // of the legend
 constexpr double legend_left = 192.0;  // where the legend begins, right of the scale bar
 constexpr double narrowest = 544.0;    // of the picture: title and legend need some width
-constexpr double title_letter = 10.0;  // width of a letter of 18 pixels in bold, generous
-constexpr double letter = 6.9;         // width of a letter of 12 pixels, generous
+constexpr double title_size = 18.0;    // of the font
+constexpr double text_size = 12.0;     // of the font
+constexpr double name_width = 200.0;   // at most, of a leaf in the legend
 
 constexpr const char* ink = "#262626";
 
-/// `  name="value"`, value of a number or a text that needs no escaping.
+/// ` name="value"`; the value is a number or a text that needs no escaping.
 std::string attribute(std::string_view name, std::string_view value) {
     return " " + std::string(name) + "=\"" + std::string(value) + "\"";
 }
@@ -172,7 +173,7 @@ std::vector<Entry> entries_of(std::span<const LeafLines> leaves, const Bumps& bu
                 path(stroke + attribute("stroke-width", 3.0) +
                          (leaf.dash.empty() ? "" : attribute("stroke-dasharray", leaf.dash)),
                      "M0 0h24");
-        entry.words = svg::shortened(leaf.name, 32);
+        entry.words = svg::fitted(leaf.name, name_width, text_size);
         if (leaves.size() > 1)
             entry.words +=
                 " " + number(100.0 * static_cast<double>(leaf.ticks) / static_cast<double>(ticks)) +
@@ -200,7 +201,7 @@ Foot foot(std::span<const Entry> entries, double width) {
     double x = legend_left;
     double y = 0.0;
     for (const Entry& entry : entries) {
-        const double entry_width = 32.0 + letter * static_cast<double>(svg::letters(entry.words));
+        const double entry_width = 32.0 + svg::text_width(entry.words, text_size);
         if (x + entry_width > width - margin && x > legend_left) {
             x = legend_left;
             y += row_height;
@@ -223,6 +224,34 @@ std::string subtitle(const LabWorld& world, std::span<const TrailPoint> trail,
     return words + (bumps.ticks == 1 ? " bump" : " bumps");
 }
 
+/// The room and everything in it; the lab's look has no marks.
+std::string inside(const LabWorld& world, std::span<const LeafLines> leaves, const Bumps& bumps,
+                   const Roomba& end, TrailLook look) {
+    std::string out = room(world) + lines({leaves.begin(), leaves.end()}, look);
+    if (look == TrailLook::leaves) {
+        if (!bumps.marks.empty()) out += path(bump_stroke(), bumps.marks);
+        out += moved_to(world.start.x * 100.0, world.start.y * 100.0, start_ring());
+    }
+    return out + robot_disc(world, end);
+}
+
+/// The document of a given size, its background, title and second line.
+std::string head(double width, double height, std::string_view title, std::string_view below) {
+    const double column = width - 2.0 * margin;
+    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
+                      attribute("height", height) +
+                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
+                      attribute("role", "img") +
+                      attribute("font-family", "Helvetica, Arial, sans-serif") +
+                      attribute("font-size", text_size) + attribute("fill", ink) + ">\n";
+    out += "<title>" + svg::escaped(title) + ": trail of the robot</title>\n";
+    out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    out += text(margin, 36.0, attribute("font-size", title_size) + attribute("font-weight", "bold"),
+                svg::fitted(title, column / 1.1, title_size));  // bold is a tenth wider
+    return out +
+           text(margin, 57.0, attribute("fill", "#5a5a5a"), svg::fitted(below, column, text_size));
+}
+
 }  // namespace
 
 std::string trail_svg(const LabWorld& world, std::span<const TrailPoint> trail, const Roomba& end,
@@ -236,37 +265,13 @@ std::string trail_svg(const LabWorld& world, std::span<const TrailPoint> trail, 
     const Bumps bumps = bumps_of(world, trail);
 
     const double width = std::max(world.width * 100.0 + 2.0 * margin, narrowest);
-    const double room_left = (width - world.width * 100.0) / 2.0;
     const double foot_top = header + world.height * 100.0 + footer;
     const Foot below = foot(lab ? std::vector<Entry>{} : entries_of(leaves, bumps), width);
-    const double height = foot_top + below.height;
-    const auto fitting = [&](std::string_view words, double letter_width) {
-        return svg::shortened(words,
-                              static_cast<std::size_t>((width - 2.0 * margin) / letter_width));
-    };
-
-    std::string inside = room(world) + lines(leaves, picture.look);
-    if (!lab) {
-        if (!bumps.marks.empty()) inside += path(bump_stroke(), bumps.marks);
-        inside += moved_to(world.start.x * 100.0, world.start.y * 100.0, start_ring());
-    }
-    inside += robot_disc(world, end);
-
-    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
-                      attribute("height", height) +
-                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
-                      attribute("role", "img") +
-                      attribute("font-family", "Helvetica, Arial, sans-serif") +
-                      attribute("font-size", 12.0) + attribute("fill", ink) + ">\n";
-    out += "<title>" + svg::escaped(picture.title) + ": trail of the robot</title>\n";
-    out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-    out += text(margin, 36.0, attribute("font-size", 18.0) + attribute("font-weight", "bold"),
-                fitting(picture.title, title_letter));
-    out += text(margin, 57.0, attribute("fill", "#5a5a5a"),
-                fitting(subtitle(world, trail, picture, bumps), letter));
-    out += moved_to(room_left, header, inside);
-    out += moved_to(0.0, foot_top, below.svg);
-    return out + "</svg>\n";
+    return head(width, foot_top + below.height, picture.title,
+                subtitle(world, trail, picture, bumps)) +
+           moved_to((width - world.width * 100.0) / 2.0, header,
+                    inside(world, leaves, bumps, end, picture.look)) +
+           moved_to(0.0, foot_top, below.svg) + "</svg>\n";
 }
 
 }  // namespace trellis

@@ -29,12 +29,21 @@ TEST_CASE("svg: text is escaped, control characters become spaces") {
     CHECK(svg::escaped("número") == "número");
 }
 
-TEST_CASE("svg: text is shortened by letters, not by bytes") {
-    CHECK(svg::letters("número…") == 7);
-    CHECK(svg::shortened("número", 6) == "número");
-    CHECK(svg::shortened("número", 5) == "núme…");
-    CHECK(svg::shortened("número", 3) == "nú…");
-    CHECK(svg::shortened("número", 1) == "…");
-    CHECK(svg::shortened("número", 0) == "…");
-    CHECK(svg::shortened("", 0).empty());
+TEST_CASE("svg: the width of a text counts letters by their kind, not bytes") {
+    CHECK(svg::text_width("", 12.0) == 0.0);
+    CHECK(svg::text_width("e", 10.0) == doctest::Approx(6.3));
+    CHECK(svg::text_width("é", 10.0) == doctest::Approx(6.3));
+    CHECK(svg::text_width("il", 10.0) < svg::text_width("ab", 10.0));
+    CHECK(svg::text_width("AB", 10.0) > svg::text_width("ab", 10.0));
+    CHECK(svg::text_width("abc", 20.0) == doctest::Approx(2.0 * svg::text_width("abc", 10.0)));
+}
+
+TEST_CASE("svg: a text is cut between letters to the given width, the ellipsis included") {
+    // n, ú, e, r and o are 6.3 wide, m is 9.8, the ellipsis 10
+    CHECK(svg::fitted("número", 41.4, 10.0) == "número");
+    CHECK(svg::fitted("número", 41.2, 10.0) == "núme…");
+    CHECK(svg::fitted("número", 38.6, 10.0) == "núm…");
+    CHECK(svg::fitted("número", 23.0, 10.0) == "nú…");
+    CHECK(svg::fitted("número", 10.0, 10.0) == "…");
+    CHECK(svg::fitted("", 0.0, 10.0).empty());
 }
