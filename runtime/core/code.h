@@ -66,6 +66,10 @@ private:
     std::uint32_t bits_ = 0;
 };
 
+/// The operand of instructions that have none: constant 0, which is undefined in every table that
+/// is not empty.
+inline constexpr Operand no_operand;
+
 /// What went wrong. exec/evaluate.h describes it in words.
 enum class EvalErrorKind : std::uint8_t {
     none,
@@ -126,7 +130,7 @@ struct EnumValue {
 /// reaches an instruction with `last`.
 struct CodeTable {
     std::vector<Instruction> instructions;
-    std::vector<Value> constants;
+    std::vector<Value> constants;  ///< the first one is undefined
     std::vector<std::uint32_t>
         offsets;  ///< per instruction: byte of the expression's text that it came from
     std::vector<Guard> guards;      ///< inner ones before outer ones

@@ -118,13 +118,6 @@ ParsedNumber parse_hexadecimal(std::string_view text) {
             .out_of_range = std::isinf(value) || (value == 0 && mantissa != 0)};
 }
 
-std::string formatted(const char* format, double value) {
-    // "%f" of the largest double has 309 digits before the point
-    std::array<char, 330> buffer;
-    const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
-    return {buffer.data(), static_cast<std::size_t>(length)};
-}
-
 }  // namespace
 
 void append_number(std::string& out, double value) {
@@ -173,11 +166,16 @@ std::string print_number(double value) {
 }
 
 std::string format_g17(double value) {
-    return formatted("%.17g", value);
+    std::array<char, 32> buffer;
+    const int length = std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
+    return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
-std::string format_f6(double value) {
-    return formatted("%f", value);
+void append_fixed(std::string& out, double value) {
+    // the largest double has 309 digits before the point
+    std::array<char, 330> buffer;
+    const int length = std::snprintf(buffer.data(), buffer.size(), "%f", value);
+    out.append(buffer.data(), static_cast<std::size_t>(length));
 }
 
 ParsedNumber parse_number(std::string_view text) {

@@ -15,9 +15,11 @@ std::string print_number(double value);
 /// Appends print_number(value) to `out`; allocates only if `out` has to grow.
 void append_number(std::string& out, double value);
 
-/// As C's printf does it: format_g17 "%.17g", format_f6 "%f" (what std::to_string writes).
+/// As C's printf("%.17g") does it: always exact, seldom short.
 std::string format_g17(double value);
-std::string format_f6(double value);
+
+/// Appends what C's printf("%f") and std::to_string write: six digits after the point.
+void append_fixed(std::string& out, double value);
 
 /// What a number parser found: its value and how many characters it read (0: no number, and the
 /// value is 0).

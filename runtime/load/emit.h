@@ -37,8 +37,8 @@ struct Meaning {
 
     Kind kind = Kind::undeclared;
     std::uint32_t index = 0;
-    Value value;          ///< of a constant
-    std::string message;  ///< of an error
+    Value value = {};          ///< of a constant
+    std::string message = {};  ///< of an error
 };
 
 /// What a name is looked up for. create: left of := in a tree.
@@ -69,7 +69,7 @@ protected:
 /// One fault, at byte `offset` of the text.
 struct EmitError {
     std::uint32_t offset = 0;
-    std::string message;
+    std::string message = {};
 };
 
 /// Appends the code of `syntax` to `code`. No id, and `errors` longer, if it has faults; `code` is
