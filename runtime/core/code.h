@@ -51,18 +51,22 @@ std::span<const FunctionInfo> functions();
 /// Where an operand lies: EvalContext::base[space][index].
 enum class Space : std::uint8_t { constant, slot, temporary };
 
-/// One operand: 2 bits space, 30 bits index.
+/// One operand: 4 bits space, 28 bits index, so that masking the space leaves the index in bytes.
 class Operand {
 public:
+    static constexpr std::uint32_t max_index = 0x0FFFFFFF;
+
     constexpr Operand() = default;
     constexpr Operand(Space space, std::uint32_t index)
-        : bits_(static_cast<std::uint32_t>(space) << 30 | index) {}
+        : bits_(index * sizeof(Value) | static_cast<std::uint32_t>(space)) {}
 
-    constexpr Space space() const { return static_cast<Space>(bits_ >> 30); }
-    constexpr std::uint32_t index() const { return bits_ & 0x3FFFFFFF; }
+    constexpr Space space() const { return static_cast<Space>(bits_ & 15); }
+    constexpr std::uint32_t index() const { return bits_ >> 4; }
     friend constexpr bool operator==(Operand, Operand) = default;
 
 private:
+    static_assert(sizeof(Value) == 16);
+
     std::uint32_t bits_ = 0;
 };
 

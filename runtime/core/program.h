@@ -1,0 +1,285 @@
+// A compiled behaviour: flat tables that never change. Made by load/compile.h, run by exec/step.h,
+// printed by dump(). Covered by tests/core/program_test.cpp; its making by tests/load.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/code.h"
+#include "core/ids.h"
+#include "core/leaf.h"
+#include "core/status.h"
+#include "core/value.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace trellis {
+
+enum class Op : std::uint8_t {
+#define OP(name, element, group, least, most, doc) name,
+#include "core/ops.def"
+};
+
+/// What a row is for: the first word of a TreeNodesModel entry, and what may contain what.
+enum class OpGroup : std::uint8_t { control, decorator, action, condition, scope, state, activity };
+
+/// One line of ops.def.
+struct OpInfo {
+    static constexpr std::uint32_t many = 0xFFFFFFFF;
+
+    Op op;
+    std::string_view name;     ///< as in the enum
+    std::string_view element;  ///< as in documents; empty: no spelling of its own
+    OpGroup group;
+    std::uint32_t least_children, most_children;
+    std::string_view doc;
+};
+
+/// All lines of ops.def, in order: op_table()[op] describes op.
+struct OpTable {
+    const OpInfo* first;
+    std::size_t count;
+    const OpInfo* begin() const { return first; }
+    const OpInfo* end() const { return first + count; }
+    const OpInfo& operator[](Op op) const { return first[static_cast<std::size_t>(op)]; }
+};
+OpTable op_table();
+
+/// One row of the flat program. Rows are stored in document order, so the subtree of row n is the
+/// interval [n, end).
+struct Row {
+    Op op = Op::tree;
+    bool conditional = false;  ///< Program::conditions has an entry for it
+    RowId parent;              ///< none for row 0
+    RowId end;                 ///< one past the last row of this subtree
+    std::uint32_t arg = 0;     ///< meaning depends on op; see the accessors of Program
+
+    friend bool operator==(const Row&, const Row&) = default;
+};
+
+/// A place in the text that a row came from, for messages about runs. Line 0: none.
+struct Origin {
+    std::uint32_t file = 0, line = 0, column = 0;
+};
+
+/// A variable: an entry of a tree's blackboard, or a <data> of a machine.
+struct Slot {
+    std::string name;
+    RowId scope;  ///< the tree, subtree or machine row it belongs to
+    /// What it holds before the first tick: undefined unless a document says otherwise.
+    Value initial;
+    EntryType type = EntryType::missing;  ///< trees: whether it exists, and its declared type
+
+    friend bool operator==(const Slot&, const Slot&) = default;
+};
+
+/// One input of one leaf that is evaluated before each tick. Literals are in the prototype instead.
+struct LiveInput {
+    std::uint32_t port = 0;  ///< index into LeafType::ports
+    CodeId code;
+
+    friend bool operator==(const LiveInput&, const LiveInput&) = default;
+};
+
+/// One output of one leaf that is bound to a variable.
+struct BoundOutput {
+    std::uint32_t port = 0;
+    SlotId slot;
+
+    friend bool operator==(const BoundOutput&, const BoundOutput&) = default;
+};
+
+/// A leaf as used at one place. Its struct lives at `offset` of State::leaves, and a copy of how it
+/// is on entry (literal inputs filled in) at the same offset of Program::prototypes.
+struct LeafCall {
+    const LeafType* type = nullptr;  ///< owned by the registry, which must outlive the program
+    std::uint32_t offset = 0;        ///< bytes
+    std::uint32_t first_input = 0, input_count = 0;    ///< Program::live_inputs
+    std::uint32_t first_output = 0, output_count = 0;  ///< Program::bound_outputs
+
+    friend bool operator==(const LeafCall&, const LeafCall&) = default;
+};
+
+/// A name of events, or a prefix of names. The table is a tree in document order of dotted tokens:
+/// descriptor d matches event e when d <= e < end(d) (SCXML 3.12.1). Row 0 is the empty name: as a
+/// descriptor it is "*".
+struct EventName {
+    std::string text;  ///< whole: "done.invoke.drive"
+    EventId end;
+
+    friend bool operator==(const EventName&, const EventName&) = default;
+};
+
+/// One <transition>, or the content of an <initial>. Those of one source are neighbours, in
+/// document order.
+struct Transition {
+    RowId source;
+    std::uint32_t first_event = 0, event_count = 0;    ///< Program::descriptors; 0: eventless
+    std::uint32_t first_target = 0, target_count = 0;  ///< Program::targets; 0: targetless
+    CodeId guard = {};                                 ///< none: always true
+    BlockId block = {};                                ///< none: no content
+    bool internal = false;  ///< type="internal", and source and targets allow it (SCXML 3.13)
+    RowId domain = {};      ///< the row whose descendants are left; none if targetless
+
+    friend bool operator==(const Transition&, const Transition&) = default;
+};
+
+/// What a machine, state or final row has besides its children. Row::arg indexes Program::states.
+struct StateInfo {
+    std::uint32_t first_transition = 0, transition_count = 0;
+    std::uint32_t first_entry = 0, entry_count = 0;  ///< Program::blocks: <onentry>, in order
+    std::uint32_t first_exit = 0, exit_count = 0;    ///< Program::blocks: <onexit>, in order
+    TransitionId initial;       ///< compound states and machines: where they begin; else none
+    std::uint32_t invokes = 0;  ///< number of invoke rows; they precede the states among children
+    EventId done;               ///< compound states: done.state.ID
+
+    friend bool operator==(const StateInfo&, const StateInfo&) = default;
+};
+
+/// One <invoke>. Row::arg indexes Program::invokes; the only child row is what runs.
+struct InvokeInfo {
+    std::string id;
+    EventId done_success, done_failure;  ///< done.invoke.ID.success, done.invoke.ID.failure
+    std::uint32_t first_param = 0, param_count = 0;  ///< Program::params; trees only
+
+    friend bool operator==(const InvokeInfo&, const InvokeInfo&) = default;
+};
+
+/// The pre- and post-conditions of one node (TREES §1.5); a none is a condition it does not have.
+/// Scripts see the names of the scope around the node.
+struct Conditions {
+    CodeId failure_if, success_if, skip_if, while_true;
+    CodeId on_success, on_failure, on_halted, post;
+
+    friend bool operator==(const Conditions&, const Conditions&) = default;
+};
+
+/// A <param> of an invoked tree: written to an entry of its blackboard before each tick.
+struct InvokeParam {
+    SlotId slot;
+    CodeId code;
+
+    friend bool operator==(const InvokeParam&, const InvokeParam&) = default;
+};
+
+/// One step of executable content (SCXML 4). A block ends with `end`.
+struct Action {
+    enum class Kind : std::uint8_t {
+        end,         ///< of the block
+        run,         ///< <script>: evaluate `code`
+        assign,      ///< <assign>: evaluate `code`, then run `store` on the result
+        initialise,  ///< <data>: give `slot` the value of `code` unless the host has set it
+        raise,       ///< put `event` into the internal queue
+        log,         ///< report `label` and the value of `code` (none: the label alone)
+        unless,      ///< go on at action `go_to` if `code` is false (<if>, <elseif>)
+        jump,        ///< go on at action `go_to` (the end of a branch)
+    };
+    Kind kind = Kind::end;
+    CodeId code = {}, store = {};
+    SlotId slot = {};
+    EventId event = {};
+    BlockId go_to = {};
+    std::uint32_t label = 0;  ///< Program::labels
+
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+/// A compiled behaviour: immutable, shareable between threads, free of pointers into the text it
+/// came from. Everything that changes while it runs is in State.
+struct Program {
+    std::vector<Row> rows;
+    std::vector<std::string> names;  ///< by row: the instance name, or the id of a state
+    std::vector<Origin> origins;     ///< by row
+    std::vector<Slot> slots;
+    CodeTable code;               ///< every expression and script
+    std::vector<LeafCall> calls;  ///< Row::arg of action and condition
+    std::vector<LiveInput> live_inputs;
+    std::vector<BoundOutput> bound_outputs;
+    std::vector<std::byte> prototypes;  ///< leaf structs as they are on entry, back to back
+    std::vector<CodeId> ports;  ///< inputs of built-in nodes: Row::arg of repeat, script, …
+    /// Sorted by row, only rows that have any.
+    std::vector<std::pair<RowId, Conditions>> conditions;
+
+    std::vector<StateInfo> states;
+    std::vector<Transition> transitions;
+    std::vector<RowId> targets;
+    std::vector<EventName> events;
+    std::vector<EventId> descriptors;
+    std::vector<Action> actions;
+    std::vector<BlockId> blocks;  ///< lists of blocks: see StateInfo
+    std::vector<std::string> labels;
+    std::vector<InvokeInfo> invokes;
+    std::vector<InvokeParam> params;
+    EventId tick_event;          ///< "tick", or none if no transition names it
+    EventId error_event;         ///< "error.execution"; none in trees
+    SlotId event_slot;           ///< `_event`, or none if no expression uses it
+    bool has_eventless = false;  ///< whether any transition is eventless
+
+    const HostType* host = nullptr;  ///< what the leaves and sensors need; null: nothing
+    std::vector<std::string> files;  ///< names for Origin::file; not compared
+
+    bool empty() const { return rows.empty(); }
+    bool is_machine() const { return !rows.empty() && rows[0].op == Op::machine; }
+
+    const Row& at(RowId n) const { return rows[n.index]; }
+    std::string_view name(RowId n) const { return names[n.index]; }
+    const StateInfo& state(RowId n) const { return states[at(n).arg]; }
+    const LeafCall& call(RowId n) const { return calls[at(n).arg]; }
+    /// True when `n` lies in the subtree of `root` (a row is in its own subtree).
+    bool within(RowId n, RowId root) const { return root <= n && n < at(root).end; }
+    /// Whether descriptor `d` matches an event of that name (SCXML 3.12.1).
+    bool matches(EventId d, EventId event) const {
+        return d <= event && event < events[d.index].end;
+    }
+
+    /// Equal behaviour: all tables but origins and files. Twins in XML and JSON are equal.
+    friend bool operator==(const Program& a, const Program& b);
+};
+
+/// The children of a row, in document order: for (RowId c : children(program, n)).
+class Children {
+public:
+    class Iterator {
+    public:
+        Iterator(const Row* rows, RowId at) : rows_(rows), at_(at) {}
+        RowId operator*() const { return at_; }
+        Iterator& operator++() {
+            at_ = rows_[at_.index].end;
+            return *this;
+        }
+        friend bool operator!=(const Iterator& a, const Iterator& b) { return a.at_ != b.at_; }
+
+    private:
+        const Row* rows_;
+        RowId at_;
+    };
+    Children(const Row* rows, RowId n)
+        : rows_(rows), first_{n.index + 1}, last_(rows[n.index].end) {}
+    Iterator begin() const { return {rows_, first_}; }
+    Iterator end() const { return {rows_, last_}; }
+
+    /// The first `count` of them; there must be that many.
+    Children first(std::uint32_t count) const {
+        Children part = *this;
+        part.last_ = part.first_;
+        while (count-- != 0) {
+            part.last_ = rows_[part.last_.index].end;
+        }
+        return part;
+    }
+
+private:
+    const Row* rows_;
+    RowId first_, last_;
+};
+inline Children children(const Program& program, RowId n) {
+    return {program.rows.data(), n};
+}
+
+/// All tables as text, a line per row, names instead of numbers: for people, goldens and diffs.
+std::string dump(const Program& program);
+
+}  // namespace trellis

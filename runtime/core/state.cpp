@@ -1,0 +1,194 @@
+// Making, comparing, hashing, saving and restoring states.
+// SPDX-License-Identifier: MIT
+#include "core/state.h"
+
+#include "core/bytes.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace trellis {
+
+namespace {
+
+/// Calls `visit(leaf struct offset, member)` for every registered state member of every leaf use.
+template <class Visit>
+void for_each_member(const Program& program, Visit visit) {
+    for (const LeafCall& call : program.calls) {
+        for (const StateMember& member : call.type->state) {
+            visit(call.offset + member.offset, member.size);
+        }
+    }
+}
+
+template <class Tag>
+void put(ByteWriter& out, Id<Tag> id) {
+    out.put(id.index);
+}
+template <class Tag>
+void get(ByteReader& in, Id<Tag>& id) {
+    in.get(id.index);
+}
+
+void put(ByteWriter& out, const std::vector<Event>& events, std::uint32_t next) {
+    out.put(static_cast<std::uint32_t>(events.size()) - next);
+    for (std::size_t i = next; i < events.size(); ++i) {
+        const Event& event = events[i];
+        put(out, event.name);
+        out.put(event.type);
+        out.put(event.data);
+        put(out, event.invoke);
+        out.put(event.activation);
+    }
+}
+
+void get(ByteReader& in, std::vector<Event>& events) {
+    std::uint32_t count = 0;
+    in.get(count);
+    while (in.ok() && count-- != 0) {
+        Event event;
+        get(in, event.name);
+        in.get(event.type);
+        in.get(event.data);
+        get(in, event.invoke);
+        in.get(event.activation);
+        events.push_back(std::move(event));
+    }
+}
+
+/// Events not yet taken are what counts of a queue.
+bool same_queue(const std::vector<Event>& a, std::uint32_t a_next, const std::vector<Event>& b,
+                std::uint32_t b_next) {
+    return std::equal(a.begin() + a_next, a.end(), b.begin() + b_next, b.end());
+}
+
+}  // namespace
+
+State fresh_state(const Program& program) {
+    State state;
+    state.status.assign(program.rows.size(), Status::idle);
+    state.memory.assign(program.rows.size(), 0);
+    for (const Slot& slot : program.slots) {
+        state.slots.push_back(slot.initial);
+        state.entries.push_back(slot.type);
+    }
+    state.temporaries.resize(program.code.temporaries);
+    state.inputs.resize(program.live_inputs.size());
+    state.leaves = program.prototypes;
+    return state;
+}
+
+bool same(const Program& program, const State& a, const State& b) {
+    bool members = true;
+    for_each_member(program, [&](std::size_t at, std::size_t size) {
+        members = members && std::memcmp(&a.leaves[at], &b.leaves[at], size) == 0;
+    });
+    const Session& s = a.session;
+    const Session& t = b.session;
+    return members && a.tick == b.tick && a.started == b.started && a.woken == b.woken &&
+           a.last_leaf == b.last_leaf && a.status == b.status && a.memory == b.memory &&
+           a.slots == b.slots && a.entries == b.entries && a.random == b.random &&
+           s.atom == t.atom && s.invokes == t.invokes &&
+           same_queue(s.internal, s.internal_next, t.internal, t.internal_next) &&
+           same_queue(s.external, s.external_next, t.external, t.external_next) &&
+           s.clock == t.clock && s.final == t.final && a.fault == b.fault;
+}
+
+std::vector<std::byte> save(const Program& program, const State& state) {
+    ByteWriter out;
+    out.put(state.tick);
+    out.put(state.started);
+    out.put(state.woken);
+    put(out, state.last_leaf);
+    for (const Status status : state.status) {
+        out.put(status);
+    }
+    for (const std::uint32_t word : state.memory) {
+        out.put(word);
+    }
+    for (const Value& value : state.slots) {
+        out.put(value);
+    }
+    for (const EntryType type : state.entries) {
+        out.put(type);
+    }
+    for_each_member(
+        program, [&](std::size_t at, std::size_t size) { out.put_bytes(&state.leaves[at], size); });
+    const std::vector<std::uint64_t> words = state.random.words();
+    out.put(static_cast<std::uint32_t>(words.size()));
+    for (const std::uint64_t word : words) {
+        out.put(word);
+    }
+    const Session& session = state.session;
+    put(out, session.atom);
+    out.put(static_cast<std::uint32_t>(session.invokes.size()));
+    for (const RowId n : session.invokes) {
+        put(out, n);
+    }
+    put(out, session.internal, session.internal_next);
+    put(out, session.external, session.external_next);
+    out.put(session.clock);
+    put(out, session.final);
+    out.put(state.fault.kind);
+    put(out, state.fault.row);
+    out.put(Value::text(state.fault.message));
+    return std::move(out).bytes();
+}
+
+std::optional<State> restore(const Program& program, std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    State state = fresh_state(program);
+    in.get(state.tick);
+    in.get(state.started);
+    in.get(state.woken);
+    get(in, state.last_leaf);
+    for (Status& status : state.status) {
+        in.get(status);
+    }
+    for (std::uint32_t& word : state.memory) {
+        in.get(word);
+    }
+    for (Value& value : state.slots) {
+        in.get(value);
+    }
+    for (EntryType& type : state.entries) {
+        in.get(type);
+    }
+    for_each_member(
+        program, [&](std::size_t at, std::size_t size) { in.get_bytes(&state.leaves[at], size); });
+    std::uint32_t count = 0;
+    in.get(count);
+    std::vector<std::uint64_t> words;
+    while (in.ok() && count-- != 0) {
+        in.get(words.emplace_back());
+    }
+    state.random = Random::from_words(words);
+    Session& session = state.session;
+    get(in, session.atom);
+    in.get(count);
+    while (in.ok() && count-- != 0) {
+        get(in, session.invokes.emplace_back());
+    }
+    get(in, session.internal);
+    get(in, session.external);
+    in.get(session.clock);
+    get(in, session.final);
+    in.get(state.fault.kind);
+    get(in, state.fault.row);
+    Value message;
+    in.get(message);
+    if (!in.ok() || !in.at_end() || !message.is(Value::Kind::text)) { return {}; }
+    state.fault.message = message.as_text();
+    return state;
+}
+
+// FNV-1a over what save() writes: two states that are the same have the same bytes.
+std::uint64_t hash(const Program& program, const State& state) {
+    std::uint64_t h = 0xCBF29CE484222325;
+    for (const std::byte byte : save(program, state)) {
+        h = (h ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3;
+    }
+    return h;
+}
+
+}  // namespace trellis

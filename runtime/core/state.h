@@ -1,0 +1,99 @@
+// Everything that changes while a Program runs, as one value: copy it to save, assign it back to
+// restore, compare it, hash it, write it to bytes. Covered by tests/core/state_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/ids.h"
+#include "core/program.h"
+#include "core/random.h"
+#include "core/status.h"
+#include "core/value.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trellis {
+
+/// Why a run cannot go on. A State with a fault must not be stepped again.
+struct Fault {
+    enum class Kind : std::uint8_t {
+        none,
+        expression,   ///< a script or an input of `row` could not be evaluated
+        output,       ///< an output of leaf `row` does not fit its variable
+        leaf_status,  ///< leaf `row` returned a status that its kind may not return
+        budget,       ///< the tick took more steps than allowed; `row` is where it was
+        livelock,     ///< machine `row` took more microsteps in one macrostep than allowed
+        draws,        ///< the list of random numbers to replay is used up
+    };
+    Kind kind = Kind::none;
+    RowId row;
+    std::string message;  ///< what failed, in words; without the place
+
+    explicit operator bool() const { return kind != Kind::none; }
+    friend bool operator==(const Fault&, const Fault&) = default;
+};
+
+/// An event in a queue of a machine.
+struct Event {
+    enum class Type : std::uint8_t { internal, external, platform };
+
+    EventId name = {};
+    Type type = Type::internal;
+    Value data = {};
+    RowId invoke = {};             ///< done.invoke: the row that ended; else none
+    std::uint32_t activation = 0;  ///< done.invoke: which activation of it
+
+    friend bool operator==(const Event&, const Event&) = default;
+};
+
+/// What a running machine has besides the statuses of its rows.
+struct Session {
+    RowId atom;                  ///< the active atomic or final state; none before the start
+    std::vector<RowId> invokes;  ///< running invoke rows, in document order
+    std::vector<Event> internal, external;
+    std::uint32_t internal_next = 0, external_next = 0;  ///< first event not yet taken
+    std::uint32_t clock = 0;  ///< cycles in which activities ran, the current one once they begin
+    RowId final;              ///< the top-level final state that ended it; else none
+
+    friend bool operator==(const Session&, const Session&) = default;
+};
+
+struct State {
+    std::uint64_t tick = 0;             ///< ticks completed
+    bool started = false;               ///< machines: whether the initial states were entered
+    bool woken = false;                 ///< a node asked to be ticked again at once (TREES §1.4)
+    RowId last_leaf;                    ///< the leaf ticked last; none before the first
+    std::vector<Status> status;         ///< by row
+    std::vector<std::uint32_t> memory;  ///< by row: see exec/stepper.h
+    std::vector<Value> slots;           ///< by slot
+    std::vector<EntryType> entries;     ///< by slot
+    /// Scratch, not part of what a state is: temporaries of expressions, and by live input the
+    /// value it had in the last tick.
+    std::vector<Value> temporaries, inputs;
+    std::vector<std::byte> leaves;  ///< leaf structs, back to back: see LeafCall::offset
+    Random random;                  ///< the generator of this run
+    Session session;
+    Fault fault;
+};
+
+/// A State for `program` in which nothing is active. Seed `random` before the first step if the
+/// behaviour draws numbers; unseeded it is seeded with 0 by the first draw.
+State fresh_state(const Program& program);
+
+/// Whether two states of `program` are the same: leaf structs by their registered members. States
+/// that are the same have the same future.
+bool same(const Program& program, const State& a, const State& b);
+
+/// A hash that is equal for same states, on every platform with IEEE doubles.
+std::uint64_t hash(const Program& program, const State& state);
+
+/// The state as bytes, and back; empty if the bytes do not fit the program. A state that went
+/// through bytes is the same as the original.
+std::vector<std::byte> save(const Program& program, const State& state);
+std::optional<State> restore(const Program& program, std::span<const std::byte> bytes);
+
+}  // namespace trellis

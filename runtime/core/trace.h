@@ -1,0 +1,46 @@
+// What happened during a run, in the order it happened: one kind of record for trees and machines.
+// Writing it to files is the runner's work. Covered by tests/exec/trace_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/ids.h"
+#include "core/status.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace trellis {
+
+struct TraceEvent {
+    enum class Kind : std::uint8_t {
+        status,      ///< the stored status of `row` went from `from` to `to`
+        tick,        ///< a leaf was ticked and returned `to` (which may be skipped)
+        halt,        ///< a leaf was halted while running
+        enter,       ///< a state became active
+        leave,       ///< a state stopped being active
+        transition,  ///< `transition` of state `row` was taken
+        event,       ///< `event` was taken from a queue of machine `row`
+        log,         ///< a <log>: `text` is "label: value"
+        error,       ///< an expression failed and raised error.execution; `text` says why
+    };
+    std::uint64_t tick = 0;  ///< the tick during which it happened; the first is 1, 0 is the start
+    Kind kind = Kind::status;
+    RowId row = {};
+    Status from = Status::idle;
+    Status to = Status::idle;
+    TransitionId transition = {};
+    EventId event = {};
+    std::string_view text = {};  ///< valid during the call of TraceSink::on
+};
+
+/// "status", "tick", "halt", …
+std::string_view name_of(TraceEvent::Kind kind);
+
+/// Receives every TraceEvent of a run.
+class TraceSink {
+public:
+    virtual ~TraceSink() = default;
+    virtual void on(const TraceEvent& event) = 0;
+};
+
+}  // namespace trellis

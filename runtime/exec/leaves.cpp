@@ -1,0 +1,115 @@
+// Calling the host's leaves: fresh on entry, inputs before and outputs after each tick.
+// Covered by tests/exec/leaves_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "core/ports.h"
+#include "exec/stepper.h"
+
+#include <cstring>
+
+namespace trellis {
+
+// A leaf that may take many ticks. One that has completed and was not reset repeats its result
+// without being called (TREES §1.3).
+Status Stepper::tick_action(RowId n, const Row& row) {
+    const Status stored = status_[n.index];
+    if (is_done(stored)) { return stored; }
+    const LeafCall& leaf = p_.calls[row.arg];
+    std::byte* self = s_.leaves.data() + leaf.offset;
+    if (stored == Status::idle) {
+        std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.type->size);
+    }
+    return call(n, leaf, self);
+}
+
+// A leaf that answers at once is fresh in every tick.
+Status Stepper::tick_at_once(RowId n, const Row& row) {
+    const LeafCall& leaf = p_.calls[row.arg];
+    std::byte* self = s_.leaves.data() + leaf.offset;
+    std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.type->size);
+    const Status status = call(n, leaf, self);
+    if (status == Status::running) {
+        return fault(Fault::Kind::leaf_status, n,
+                     leaf.type->name + " must answer at once but returned RUNNING");
+    }
+    return status;
+}
+
+Status Stepper::call(RowId n, const LeafCall& leaf, std::byte* self) {
+    if (leaf.input_count != 0 && !read_inputs(n, leaf, self)) { return Status::idle; }
+    s_.last_leaf = n;
+    const Status status = leaf.type->tick(self, host_, tick_);
+    if (leaf.output_count != 0 && !write_outputs(n, leaf, self)) { return Status::idle; }
+    if (status == Status::idle) {
+        return fault(Fault::Kind::leaf_status, n, leaf.type->name + " returned IDLE");
+    }
+    trace_leaf(n, status);
+    return status;
+}
+
+void Stepper::halt_leaf(RowId n) {
+    const LeafCall& leaf = p_.call(n);
+    trace({.kind = TraceEvent::Kind::halt, .row = n});
+    if (leaf.type->halt != nullptr) { leaf.type->halt(s_.leaves.data() + leaf.offset, host_); }
+}
+
+bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
+    for (std::uint32_t i = 0; i < leaf.input_count; ++i) {
+        const LiveInput& input = p_.live_inputs[leaf.first_input + i];
+        const Port& port = leaf.type->ports[input.port];
+        if (port.type == PortType::real && port.present == Port::always) {
+            double value = 0.0;
+            if (evaluate_real(p_.code, input.code, context_, value)) {
+                std::memcpy(self + port.offset, &value, sizeof value);
+                continue;
+            }
+        }
+        if (!read_input(n, leaf.first_input + i, self)) { return false; }
+    }
+    return true;
+}
+
+// The general case: an input of any type that may be absent. A variable that does not exist, or
+// does not convert, is an absent value for a Maybe and a fault for a plain member. The value is
+// kept in the state, because a text or any-typed member points to it during the tick.
+bool Stepper::read_input(RowId n, std::uint32_t input, std::byte* self) {
+    const LiveInput& live = p_.live_inputs[input];
+    const Port& port = p_.call(n).type->ports[live.port];
+    Value& value = s_.inputs[input];
+    const bool evaluated = evaluate(p_.code, live.code, context_, value);
+    const bool stored = evaluated && store_input(port, value, self);
+    if (port.present != Port::always) {
+        std::memcpy(self + port.present, &stored, sizeof stored);
+        return true;
+    }
+    if (stored) { return true; }
+    if (port.type == PortType::any) {
+        const Value* unset = nullptr;
+        std::memcpy(self + port.offset, &unset, sizeof unset);
+        return true;
+    }
+    const std::string what =
+        evaluated ? print(value) + " is not of type " + std::string(name_of(port.type))
+                  : evaluation_error();
+    fault(Fault::Kind::expression, n, "input \"" + port.name + "\": " + what);
+    return false;
+}
+
+bool Stepper::write_outputs(RowId n, const LeafCall& leaf, std::byte* self) {
+    for (std::uint32_t i = 0; i < leaf.output_count; ++i) {
+        const BoundOutput& output = p_.bound_outputs[leaf.first_output + i];
+        const Port& port = leaf.type->ports[output.port];
+        bool present = false;
+        std::memcpy(&present, self + port.present, sizeof present);
+        if (!present) { continue; }
+        std::memset(self + port.present, 0, sizeof present);
+        std::string why;
+        if (!write_entry(port.type, load_output(port, self), s_.slots[output.slot.index],
+                         s_.entries[output.slot.index], why)) {
+            fault(Fault::Kind::output, n, "output \"" + port.name + "\": " + why);
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace trellis

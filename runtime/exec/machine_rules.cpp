@@ -1,0 +1,254 @@
+// How a machine runs one control cycle: SCXML's Appendix D on rows, then the activities of the
+// active states (MACHINES, "How a machine runs on a robot"). Entering and leaving states is in
+// configuration.cpp. Covered by tests/exec/machine_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "exec/stepper.h"
+
+#include <utility>
+
+namespace trellis {
+
+void Stepper::start_machine() {
+    const RowId root{0};
+    s_.started = true;
+    store(root, Status::running);
+    run_blocks(p_.state(root).first_entry, p_.state(root).entry_count);
+    take_initial(root);
+    settle();
+}
+
+// One control cycle: due events, the event `tick`, run to completion, then the activities.
+Status Stepper::tick_machine(RowId m) {
+    Session& session = s_.session;
+    if (!s_.started) { start_machine(); }
+    context_.cycle = session.clock;
+
+    // what was waiting comes before this cycle's tick, what arises now comes after it
+    std::size_t waiting = session.external.size() - session.external_next;
+    while (waiting-- != 0 && running()) {
+        take_next_external();
+    }
+    if (p_.tick_event && running()) {
+        take_external({.name = p_.tick_event, .type = Event::Type::external});
+    }
+    while (session.external_next != session.external.size() && running()) {
+        take_next_external();
+    }
+    if (s_.fault) { return Status::idle; }
+    if (session.final) {
+        leave_all();
+        return p_.name(session.final) == "failure" ? Status::failure : Status::success;
+    }
+    context_.cycle = ++session.clock;
+    tick_invokes();
+    return s_.fault ? Status::idle : (store(m, Status::running), Status::running);
+}
+
+void Stepper::take_next_external() {
+    Session& session = s_.session;
+    const Event event = std::move(session.external[session.external_next++]);
+    if (session.external_next == session.external.size()) {
+        session.external.clear();
+        session.external_next = 0;
+    }
+    // the end of an activity whose state was left and entered again is nobody's business
+    if (event.invoke && event.activation != memory_[event.invoke.index]) { return; }
+    take_external(event);
+}
+
+void Stepper::take_external(const Event& event) {
+    bind(event);
+    microstep(event.name);
+    settle();
+}
+
+// Eventless transitions and internal events, until neither is left: the rest of a macrostep.
+void Stepper::settle() {
+    Session& session = s_.session;
+    while (running()) {
+        if (p_.has_eventless && microstep({})) { continue; }
+        if (session.internal_next == session.internal.size()) { break; }
+        const Event event = std::move(session.internal[session.internal_next++]);
+        if (session.internal_next == session.internal.size()) {
+            session.internal.clear();
+            session.internal_next = 0;
+        }
+        bind(event);
+        microstep(event.name);
+    }
+}
+
+// Makes an event what `_event` means until the next one (SCXML 5.10.1).
+void Stepper::bind(const Event& event) {
+    trace({.kind = TraceEvent::Kind::event, .row = {0}, .event = event.name});
+    if (!p_.event_slot) { return; }
+    static constexpr std::string_view types[] = {"internal", "external", "platform"};
+    Value& bound = s_.slots[p_.event_slot.index];
+    if (!bound.is(Value::Kind::object)) { bound.set_object(); }
+    bound.set_member("name", Value::text(p_.events[event.name.index].text));
+    bound.set_member("type", Value::text(types[static_cast<std::size_t>(event.type)]));
+    for (const std::string_view unset : {"sendid", "origin", "origintype"}) {
+        bound.set_member(unset, {});
+    }
+    bound.set_member("invokeid", event.invoke
+                                     ? Value::text(p_.invokes[rows_[event.invoke.index].arg].id)
+                                     : Value());
+    bound.set_member("data", event.data);
+}
+
+// Selection ---------------------------------------------------------------------------------------
+
+// Takes the transitions that the event (none: no event) enables; false if there are none.
+bool Stepper::microstep(EventId event) {
+    const TransitionId chosen = enabled(s_.session.atom, event);
+    if (!chosen) { return false; }
+    if (budget_-- == 0) {
+        fault(Fault::Kind::livelock, s_.session.atom,
+              "this machine does not come to rest: too many transitions in one cycle");
+        return false;
+    }
+    take(p_.transitions[chosen.index], chosen);
+    return true;
+}
+
+// The first enabled transition from the atomic state outwards, in document order (SCXML 3.13).
+TransitionId Stepper::enabled(RowId atom, EventId event) {
+    for (RowId n = atom; n; n = rows_[n.index].parent) {
+        const StateInfo& state = p_.states[rows_[n.index].arg];
+        for (std::uint32_t i = 0; i < state.transition_count; ++i) {
+            const TransitionId id{state.first_transition + i};
+            if (is_enabled(p_.transitions[id.index], event)) { return id; }
+        }
+    }
+    return {};
+}
+
+bool Stepper::is_enabled(const Transition& transition, EventId event) {
+    if (event ? !is_named(transition, event) : transition.event_count != 0) { return false; }
+    if (!transition.guard) { return true; }
+    const Truth truth = evaluate_condition(p_.code, transition.guard, context_);
+    if (truth == Truth::failed) { raise_error(transition.source); }
+    return truth == Truth::yes;
+}
+
+bool Stepper::is_named(const Transition& transition, EventId event) const {
+    for (std::uint32_t i = 0; i < transition.event_count; ++i) {
+        if (p_.matches(p_.descriptors[transition.first_event + i], event)) { return true; }
+    }
+    return false;
+}
+
+// Leaves, does, enters: in this order over the whole set (SCXML 3.13).
+void Stepper::take(const Transition& transition, TransitionId id) {
+    trace({.kind = TraceEvent::Kind::transition, .row = transition.source, .transition = id});
+    if (transition.domain) { leave_below(transition.domain); }
+    if (transition.block) { run_block(transition.block); }
+    enter_targets(transition);
+}
+
+// Executable content ------------------------------------------------------------------------------
+
+void Stepper::run_blocks(std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        run_block(p_.blocks[first + i]);
+    }
+}
+
+// Runs a block; an error in it raises error.execution and ends it, and only it (SCXML 4.1).
+void Stepper::run_block(BlockId block) {
+    for (std::uint32_t i = block.index;; ++i) {
+        const Action& action = p_.actions[i];
+        switch (action.kind) {
+        case Action::Kind::end: return;
+        case Action::Kind::run:
+            if (!execute(p_.code, action.code, context_)) { return raise_error({0}); }
+            break;
+        case Action::Kind::assign:
+            if (!evaluate(p_.code, action.code, context_, s_.temporaries[0]) ||
+                !execute(p_.code, action.store, context_)) {
+                return raise_error({0});
+            }
+            break;
+        case Action::Kind::initialise:
+            if (s_.slots[action.slot.index].is(Value::Kind::undefined) &&
+                !evaluate(p_.code, action.code, context_, s_.slots[action.slot.index])) {
+                s_.slots[action.slot.index].set_undefined();
+                return raise_error({0});
+            }
+            break;
+        case Action::Kind::raise: s_.session.internal.push_back({.name = action.event}); break;
+        case Action::Kind::log:
+            if (!log(action)) { return raise_error({0}); }
+            break;
+        case Action::Kind::unless: {
+            const Truth truth = evaluate_condition(p_.code, action.code, context_);
+            if (truth == Truth::failed) { raise_error({0}); }
+            if (truth != Truth::yes) { i = action.go_to.index - 1; }
+            break;
+        }
+        case Action::Kind::jump: i = action.go_to.index - 1; break;
+        }
+    }
+}
+
+bool Stepper::log(const Action& action) {
+    Value value;
+    if (action.code && !evaluate(p_.code, action.code, context_, value)) { return false; }
+    if (trace_ == nullptr) { return true; }
+    std::string text = p_.labels[action.label];
+    if (action.code) {
+        if (!text.empty()) { text += ": "; }
+        text += value.is(Value::Kind::text) ? value.as_text() : print(value);
+    }
+    trace({.kind = TraceEvent::Kind::log, .row = s_.session.atom, .text = text});
+    return true;
+}
+
+void Stepper::raise_error(RowId n) {
+    s_.session.internal.push_back({.name = p_.error_event, .type = Event::Type::platform});
+    if (trace_ == nullptr) { return; }
+    const std::string text = evaluation_error();
+    trace({.kind = TraceEvent::Kind::error, .row = n, .text = text});
+}
+
+// Activities --------------------------------------------------------------------------------------
+
+// Ticks what runs in the active states, in document order. What ends is told to the next cycle.
+void Stepper::tick_invokes() {
+    std::vector<RowId>& running = s_.session.invokes;
+    std::size_t kept = 0;
+    for (const RowId n : running) {
+        const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
+        if (invoke.param_count != 0) { pass_params(invoke); }
+        const Status status = tick_only_child(n);
+        if (s_.fault) { return; }
+        if (!is_done(status)) {
+            running[kept++] = n;
+            continue;
+        }
+        store(n, status);
+        Event event{.name = status == Status::success ? invoke.done_success : invoke.done_failure,
+                    .type = Event::Type::external,
+                    .invoke = n,
+                    .activation = memory_[n.index]};
+        event.data.set_object();
+        event.data.set_member("status",
+                              Value::text(status == Status::success ? "success" : "failure"));
+        s_.session.external.push_back(std::move(event));
+    }
+    running.resize(kept);
+}
+
+// Gives a tree the current values of its parameters; one that fails keeps its last value.
+void Stepper::pass_params(const InvokeInfo& invoke) {
+    for (std::uint32_t i = 0; i < invoke.param_count; ++i) {
+        const InvokeParam& param = p_.params[invoke.first_param + i];
+        if (evaluate(p_.code, param.code, context_, s_.slots[param.slot.index])) {
+            s_.entries[param.slot.index] = EntryType::any;
+        } else {
+            raise_error({0});
+        }
+    }
+}
+
+}  // namespace trellis

@@ -1,0 +1,159 @@
+// The interpreter behind step(): one call's view of a program and the state it may change. Private
+// to runtime/exec. The rules are spread over tree_rules.cpp (trees), machine_rules.cpp and
+// configuration.cpp (machines), leaves.cpp (leaves) and stepper.cpp (what all share).
+//
+// What State::memory holds, by kind of row:
+//   sequence, fallback     the child to go on at, 0 for the first; top bit: a child was not skipped
+//   repeat, retry          completed cycles
+//   tree, subtree          ticks since it was entered, the current one included: elapsed()
+//   state, machine         Session::clock when it was entered: elapsed()
+//   invoke                 number of its activations
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/leaf.h"
+#include "core/program.h"
+#include "core/state.h"
+#include "exec/evaluate.h"
+#include "exec/step.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trellis {
+
+class Stepper {
+public:
+    Stepper(const Program& program, State& state, HostRef host, const StepOptions& options);
+
+    /// One tick of the whole program: see step().
+    Status step_root();
+    void start_machine();
+    void halt_root();
+
+    // Every kind of row --------------------------------------------------------------------------
+
+    /// Ticks a row: conditions, rule, stored status. Idle after a fault, which changes no status
+    /// any more on the way out.
+    Status tick(RowId n);
+    /// Halts a row and what runs below it, children first; then its _onHalted script.
+    void halt_node(RowId n);
+
+private:
+    Status tick_conditional(RowId n, const Row& row);
+    Status dispatch(RowId n, const Row& row);
+    Status pre_conditions(RowId n, const Conditions& conditions);
+    bool post_conditions(RowId n, const Conditions& conditions, Status status);
+    const Conditions& conditions_of(RowId n) const;
+
+    /// Stores a status and traces the change.
+    void store(RowId n, Status status) {
+        if (trace_ != nullptr) { trace_status(n, status); }
+        status_[n.index] = status;
+    }
+    /// Halts a child if it runs, and makes it idle: resetChild of BehaviorTree.CPP.
+    void reset(RowId n) {
+        if (status_[n.index] == Status::running) { halt_node(n); }
+        if (status_[n.index] != Status::idle) { store(n, Status::idle); }
+    }
+    void reset_children(RowId n);
+
+    // Trees: tree_rules.cpp ----------------------------------------------------------------------
+
+    template <Status stop, Status go_on>
+    Status tick_in_order(RowId n);
+    template <Status stop, Status go_on>
+    Status tick_reactive(RowId n);
+    Status tick_mapped(RowId n, Status on_success, Status on_failure);
+    template <Status stop, Status go_on>
+    Status tick_loop(RowId n, const Row& row);
+    Status tick_script(RowId n, const Row& row);
+    Status tick_script_condition(RowId n, const Row& row);
+    Status tick_scope(RowId n);
+    Status tick_only_child(RowId n);
+
+    // Leaves: leaves.cpp -------------------------------------------------------------------------
+
+    Status tick_action(RowId n, const Row& row);
+    Status tick_at_once(RowId n, const Row& row);
+    Status call(RowId n, const LeafCall& call, std::byte* self);
+    void halt_leaf(RowId n);
+    bool read_inputs(RowId n, const LeafCall& call, std::byte* self);
+    bool read_input(RowId n, std::uint32_t input, std::byte* self);
+    bool write_outputs(RowId n, const LeafCall& call, std::byte* self);
+
+    // Machines: machine_rules.cpp ----------------------------------------------------------------
+
+    Status tick_machine(RowId m);
+    void take_next_external();
+    void take_external(const Event& event);
+    void settle();
+    void bind(const Event& event);
+    bool microstep(EventId event);
+    TransitionId enabled(RowId atom, EventId event);
+    bool is_enabled(const Transition& transition, EventId event);
+    bool is_named(const Transition& transition, EventId event) const;
+    void take(const Transition& transition, TransitionId id);
+    void run_blocks(std::uint32_t first, std::uint32_t count);
+    void run_block(BlockId block);
+    bool log(const Action& action);
+    void raise_error(RowId n);
+    void tick_invokes();
+    void pass_params(const InvokeInfo& invoke);
+    /// Whether the machine has neither reached its end nor failed.
+    bool running() const { return !s_.session.final && !s_.fault; }
+
+    // The active states: configuration.cpp -------------------------------------------------------
+
+    void leave_below(RowId domain);
+    void leave(RowId n);
+    void take_initial(RowId n);
+    void enter_targets(const Transition& transition);
+    void enter_path(RowId domain, RowId target);
+    void enter(RowId n);
+    void finish(RowId n);
+    void leave_all();
+    /// The <invoke> rows of a state: they come before its states.
+    Children invokes_of(RowId n) const;
+
+    // Shared -------------------------------------------------------------------------------------
+
+    /// The integer that port `port` of a built-in node holds now; false after a fault.
+    bool integer_port(RowId n, CodeId code, std::int64_t& result);
+    Status fault(Fault::Kind kind, RowId n, std::string message);
+    bool run_script(RowId n, CodeId code);
+    bool condition(RowId n, CodeId code, bool& holds);
+    /// What the last failed evaluation has to say.
+    std::string evaluation_error() const;
+
+    void trace_status(RowId n, Status status);
+    void trace_leaf(RowId n, Status status) {
+        if (trace_ != nullptr) { trace_tick(n, status); }
+    }
+    void trace_tick(RowId n, Status status);
+    void trace(TraceEvent event) {
+        if (trace_ == nullptr) { return; }
+        event.tick = s_.tick + (in_step_ ? 1 : 0);
+        trace_->on(event);
+    }
+
+    RowId first_child(RowId n) const { return {n.index + 1}; }
+
+    const Program& p_;
+    State& s_;
+    // the tables that every tick reads, without the detour over their vectors
+    const Row* rows_;
+    Status* status_;
+    std::uint32_t* memory_;
+    void* host_;
+    TraceSink* trace_;
+    bool while_woken_;
+    std::uint32_t budget_;  ///< rows that may still be ticked
+    bool in_step_ = false;  ///< else in start() or halt()
+    Tick tick_;
+    EvalContext context_;
+};
+
+}  // namespace trellis

@@ -1,0 +1,236 @@
+// Adding to the tables of a Program.
+// SPDX-License-Identifier: MIT
+#include "load/builder.h"
+
+#include "core/number.h"
+#include "core/ports.h"
+#include "load/expression.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace trellis {
+
+namespace {
+
+/// Rows nest at most this deep: the interpreter's recursion stays within a small stack.
+constexpr std::uint32_t max_row_depth = 1024;
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) {
+        s.remove_prefix(1);
+    }
+    while (!s.empty() && (s.back() == ' ' || s.back() == '\t')) {
+        s.remove_suffix(1);
+    }
+    return s;
+}
+
+}  // namespace
+
+RowId Builder::open(Op op, RowId parent, std::string_view name, Where where, std::uint32_t arg) {
+    const std::uint32_t depth = parent ? depths_[parent.index] + 1 : 0;
+    const RowId n{next_row()};
+    if (full_ || n.index >= options_.rows || depth > max_row_depth) {
+        if (!full_) {
+            diagnostics_.error("program-size", where,
+                               depth > max_row_depth
+                                   ? "nodes nest deeper than " + std::to_string(max_row_depth) +
+                                         " once subtrees are expanded"
+                                   : "more than " + std::to_string(options_.rows) +
+                                         " nodes once subtrees are expanded");
+        }
+        full_ = true;
+        return {};
+    }
+    program.rows.push_back({.op = op, .parent = parent, .end = {n.index + 1}, .arg = arg});
+    program.names.emplace_back(name);
+    program.origins.push_back({where.file, where.line, where.column});
+    depths_.push_back(depth);
+    return n;
+}
+
+SlotId Builder::add_slot(std::string_view name, RowId scope) {
+    const SlotId slot{static_cast<std::uint32_t>(program.slots.size())};
+    program.slots.push_back({.name = std::string(name), .scope = scope, .initial = {}});
+    return slot;
+}
+
+void Builder::set_initial(SlotId slot, Value value) {
+    Slot& variable = program.slots[slot.index];
+    variable.type = value.is(Value::Kind::integer) ? EntryType::integer
+                    : value.is(Value::Kind::real)  ? EntryType::real
+                                                   : EntryType::text;
+    variable.initial = std::move(value);
+}
+
+Meaning Builder::sensor(std::string_view name) {
+    const HostType& host = registry_.host();
+    const Sensor* sensor = host.find(name);
+    if (sensor == nullptr) {
+        std::vector<std::string_view> known;
+        for (const Sensor& other : host.sensors) {
+            known.emplace_back(other.name);
+        }
+        return {.kind = Meaning::Kind::error,
+                .value = {},
+                .message = "the robot has no sensor \"" + std::string(name) + "\"" +
+                           suggestion(name, known)};
+    }
+    program.host = &host;
+    const Meaning::Kind kind = sensor->type == PortType::boolean ? Meaning::Kind::sensor_boolean
+                               : sensor->type == PortType::real  ? Meaning::Kind::sensor_real
+                                                                 : Meaning::Kind::sensor_integer;
+    return {.kind = kind, .index = sensor->offset, .value = {}, .message = {}};
+}
+
+Value Builder::enumerated(Value literal) const {
+    if (!literal.is(Value::Kind::text)) { return literal; }
+    for (const auto& [name, number] : registry_.enumerators()) {
+        if (name == literal.as_text()) { return Value::integer(number); }
+    }
+    return literal;
+}
+
+// Code --------------------------------------------------------------------------------------------
+
+CodeId Builder::expression(const ReadFile& file, const Attribute& attribute, Dialect dialect,
+                           SyntaxMode mode, Names& names) {
+    return expression(file, file.document.string(attribute.value), attribute.value_where, dialect,
+                      mode, names);
+}
+
+CodeId Builder::expression(const ReadFile& file, std::string_view text, Where where,
+                           Dialect dialect, SyntaxMode mode, Names& names) {
+    const auto place = [&](std::uint32_t offset) {
+        return where_in(file.source.text, file.document.spelling, where, offset);
+    };
+    ParseError wrong;
+    const std::optional<Syntax> syntax = parse_expression(text, dialect, mode, wrong);
+    if (!syntax) {
+        diagnostics_.error("script-syntax", place(wrong.offset), wrong.message);
+        return {};
+    }
+    std::vector<EmitError> errors;
+    const CodeId code = emit(*syntax, names, program.code, errors);
+    for (const EmitError& error : errors) {
+        diagnostics_.error("script-meaning", place(error.offset), error.message);
+    }
+    return code;
+}
+
+CodeId Builder::store(const ReadFile& file, const Attribute& attribute, Names& names) {
+    const auto place = [&](std::uint32_t offset) {
+        return where_in(file.source.text, file.document.spelling, attribute.value_where, offset);
+    };
+    ParseError wrong;
+    const std::optional<Syntax> location = parse_expression(
+        file.document.string(attribute.value), Dialect::machine, SyntaxMode::location, wrong);
+    if (!location) {
+        diagnostics_.error("script-syntax", place(wrong.offset), wrong.message);
+        return {};
+    }
+    std::vector<EmitError> errors;
+    const CodeId code = emit_store(*location, names, program.code, errors);
+    for (const EmitError& error : errors) {
+        diagnostics_.error("script-meaning", place(error.offset), error.message);
+    }
+    return code;
+}
+
+CodeId Builder::constant(Value value, Dialect dialect) {
+    CodeTable& code = program.code;
+    const Operand operand(Space::constant, static_cast<std::uint32_t>(code.constants.size()));
+    code.constants.push_back(std::move(value));
+    return add_copy(operand, dialect);
+}
+
+CodeId Builder::variable(SlotId slot, Dialect dialect) {
+    return add_copy(Operand(Space::slot, slot.index), dialect);
+}
+
+CodeId Builder::add_copy(Operand operand, Dialect dialect) {
+    CodeTable& code = program.code;
+    const CodeId id{static_cast<std::uint32_t>(code.instructions.size())};
+    code.instructions.push_back({.op = CodeOp::copy,
+                                 .last = true,
+                                 .tree = dialect == Dialect::tree,
+                                 .a = operand,
+                                 .b = {}});
+    code.offsets.push_back(0);
+    code.temporaries = std::max(code.temporaries, 1U);
+    return id;
+}
+
+// Leaves ------------------------------------------------------------------------------------------
+
+std::uint32_t Builder::add_call(const LeafType& type) {
+    LeafCall call{.type = &type};
+    std::vector<std::byte>& bytes = program.prototypes;
+    call.offset =
+        (static_cast<std::uint32_t>(bytes.size()) + type.align - 1) / type.align * type.align;
+    bytes.resize(call.offset + type.size);
+    // made where it is aligned, then copied; the gap between members stays zero
+    alignas(std::max_align_t) std::byte fresh[max_leaf_size] = {};
+    type.construct(fresh);
+    std::memcpy(bytes.data() + call.offset, fresh, type.size);
+    call.first_input = static_cast<std::uint32_t>(program.live_inputs.size());
+    call.first_output = static_cast<std::uint32_t>(program.bound_outputs.size());
+    if (type.host_tag != nullptr) { program.host = &registry_.host(); }
+    program.calls.push_back(call);
+    return static_cast<std::uint32_t>(program.calls.size() - 1);
+}
+
+bool Builder::set_literal(const Port& port, Value value) {
+    // texts and untyped values are pointed to, so they live in the constants of the code
+    if (port.type == PortType::text || port.type == PortType::any) {
+        set_live(port, constant(std::move(value), Dialect::machine));
+        return true;
+    }
+    std::byte* self = program.prototypes.data() + program.calls.back().offset;
+    if (!store_input(port, value, self)) { return false; }
+    if (port.present != Port::always) {
+        const bool present = true;
+        std::memcpy(self + port.present, &present, sizeof present);
+    }
+    return true;
+}
+
+void Builder::set_live(const Port& port, CodeId code) {
+    program.live_inputs.push_back({port_index(port), code});
+    ++program.calls.back().input_count;
+}
+
+void Builder::set_output(const Port& port, SlotId slot) {
+    program.bound_outputs.push_back({port_index(port), slot});
+    ++program.calls.back().output_count;
+}
+
+std::uint32_t Builder::port_index(const Port& port) const {
+    return static_cast<std::uint32_t>(&port - program.calls.back().type->ports.data());
+}
+
+// Values of attributes ----------------------------------------------------------------------------
+
+std::string_view pointer_key(std::string_view value, std::string_view port) {
+    std::string_view key = trimmed(value);
+    key = trimmed(key.substr(1, key.size() - 2));
+    return key == "=" ? port : key;
+}
+
+Value literal_value(std::string_view value) {
+    std::int64_t integer = 0;
+    const char* last = value.data() + value.size();
+    if (const auto [end, error] = std::from_chars(value.data(), last, integer);
+        error == std::errc() && end == last) {
+        return Value::integer(integer);
+    }
+    const ParsedNumber real = parse_number(value);
+    if (real.length == value.size() && !value.empty()) { return Value::real(real.value); }
+    return Value::text(value);
+}
+
+}  // namespace trellis

@@ -1,0 +1,97 @@
+// What the compilers of trees and machines share: adding rows, code and leaf calls to a Program,
+// with diagnostics at the place in the document. Private to runtime/load. Covered by
+// tests/load/compile_tree_test.cpp and tests/load/compile_machine_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/leaf.h"
+#include "core/program.h"
+#include "load/diagnostics.h"
+#include "load/document.h"
+#include "load/emit.h"
+#include "load/grammar.h"
+#include "load/load.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trellis {
+
+/// One text that was read: by Where::file.
+struct ReadFile {
+    Source source;
+    Document document;
+};
+
+/// A program while it is being built.
+class Builder {
+public:
+    /// `trees` is the grammar of tree files, for included and invoked ones.
+    Builder(const Registry& registry, const Grammar& trees, Diagnostics& diagnostics,
+            const LoadOptions& options)
+        : registry_(registry), trees_(trees), diagnostics_(diagnostics), options_(options) {}
+
+    Program program;
+
+    const Registry& registry() const { return registry_; }
+    const Grammar& grammar() const { return trees_; }
+    Diagnostics& diagnostics() { return diagnostics_; }
+    const LoadOptions& options() const { return options_; }
+
+    /// Adds a row below `parent` (none for row 0); close it after its last child. None, and an
+    /// error, if the program would get too large or too deep.
+    RowId open(Op op, RowId parent, std::string_view name, Where where, std::uint32_t arg = 0);
+    void close(RowId n) { program.rows[n.index].end = {next_row()}; }
+    /// True once open() has refused a row: the rest need not be tried.
+    bool is_full() const { return full_; }
+
+    SlotId add_slot(std::string_view name, RowId scope);
+    /// Gives a variable the value it has before the first tick, and the entry type of that value.
+    void set_initial(SlotId slot, Value value);
+    /// What _x.NAME means: see Names::sensor.
+    Meaning sensor(std::string_view name);
+    /// A literal that is the name of an enumerator becomes its number.
+    Value enumerated(Value literal) const;
+
+    /// Compiles the value of an attribute; none, and errors, if it has faults.
+    CodeId expression(const ReadFile& file, const Attribute& attribute, Dialect dialect,
+                      SyntaxMode mode, Names& names);
+    /// The same for a text that begins at `where` in `file`.
+    CodeId expression(const ReadFile& file, std::string_view text, Where where, Dialect dialect,
+                      SyntaxMode mode, Names& names);
+    /// Compiles where an <assign> writes to: see emit_store().
+    CodeId store(const ReadFile& file, const Attribute& attribute, Names& names);
+    /// Code whose value is `value`, or what a variable holds.
+    CodeId constant(Value value, Dialect dialect);
+    CodeId variable(SlotId slot, Dialect dialect);
+
+    /// Adds a use of a leaf with its defaults; set its ports before adding another.
+    std::uint32_t add_call(const LeafType& type);
+    /// Sets an input of the call added last to a literal; false if it does not convert.
+    bool set_literal(const Port& port, Value value);
+    /// Sets an input of the call added last to what `code` gives before each tick.
+    void set_live(const Port& port, CodeId code);
+    void set_output(const Port& port, SlotId slot);
+
+private:
+    std::uint32_t next_row() const { return static_cast<std::uint32_t>(program.rows.size()); }
+    std::uint32_t port_index(const Port& port) const;
+    CodeId add_copy(Operand operand, Dialect dialect);
+
+    const Registry& registry_;
+    const Grammar& trees_;
+    Diagnostics& diagnostics_;
+    const LoadOptions& options_;
+    std::vector<std::uint32_t> depths_;  // by row
+    bool full_ = false;
+};
+
+/// The key of a blackboard pointer: "key" of "{key}"; `port` itself of "{=}".
+std::string_view pointer_key(std::string_view value, std::string_view port);
+
+/// `value` as BehaviorTree.CPP types an untyped literal: integer, real, else text (TREES §2.3).
+Value literal_value(std::string_view value);
+
+}  // namespace trellis

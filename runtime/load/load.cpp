@@ -1,0 +1,97 @@
+// The stages of loading, in order.
+// SPDX-License-Identifier: MIT
+#include "load/load.h"
+
+#include "load/check.h"
+#include "load/compile.h"
+#include "load/grammar.h"
+#include "load/json.h"
+#include "load/xml.h"
+
+#include <algorithm>
+
+namespace trellis {
+
+namespace {
+
+bool is_json(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
+/// The variables that a host may set: of the main tree or the machine under their own name, of
+/// subtrees under "path/name".
+std::string path_of(const Program& program, const Slot& slot) {
+    std::string path = slot.name;
+    for (RowId n = slot.scope; n && program.at(n).op == Op::subtree;) {
+        path.insert(0, program.names[n.index] + '/');
+        do {
+            n = program.at(n).parent;
+        } while (program.at(n).op != Op::subtree && program.at(n).op != Op::tree);
+    }
+    return path;
+}
+
+void give(Builder& builder) {
+    Program& program = builder.program;
+    for (const auto& [name, text] : builder.options().given) {
+        std::vector<std::string> paths;
+        SlotId found;
+        for (std::uint32_t i = 0; i < program.slots.size(); ++i) {
+            paths.push_back(path_of(program, program.slots[i]));
+            if (paths.back() == name) { found = {i}; }
+        }
+        if (found) {
+            builder.set_initial(found, literal_value(text));
+            continue;
+        }
+        const std::vector<std::string_view> known(paths.begin(), paths.end());
+        builder.diagnostics().error("unknown-variable", {},
+                                    "there is no variable \"" + name + "\" to set" +
+                                        suggestion(name, known));
+    }
+}
+
+}  // namespace
+
+std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
+                             const LoadOptions& options) {
+    const std::uint32_t file = diagnostics.add_file(source.name, source.text);
+    if (!is_json(source.text)) { return read_xml(source.text, file, diagnostics, options.limits); }
+    const std::optional<JsonTree> json = parse_json(source.text, file, diagnostics, options.limits);
+    if (!json) { return {}; }
+    const std::optional<FileKind> kind = json_kind(*json);
+    if (!kind) {
+        diagnostics.structural_error(
+            "wrong-root", json->at(json->root()).where,
+            "expected a tree file, with \"trees\", or a machine file, with \"states\"");
+        return {};
+    }
+    return document_from_json(*json, *kind, diagnostics, options.limits);
+}
+
+std::optional<Program> load(const Source& source, const Registry& registry,
+                            Diagnostics& diagnostics, const LoadOptions& options) {
+    std::optional<Program> program;
+    if (std::optional<Document> document = read(source, diagnostics, options); document) {
+        const Grammar trees = tree_grammar(registry);
+        Builder builder(registry, trees, diagnostics, options);
+        if (file_kind(*document) == FileKind::machine) {
+            check(*document, machine_grammar(), diagnostics);
+            compile_machine({source, std::move(*document)}, builder);
+        } else {
+            check(*document, trees, diagnostics);
+            compile_tree({source, std::move(*document)}, builder);
+        }
+        give(builder);
+        program = std::move(builder.program);
+    }
+    diagnostics.sort();
+    if (!diagnostics.ok()) { return {}; }
+    for (std::uint32_t i = 0; i < diagnostics.file_count(); ++i) {
+        program->files.emplace_back(diagnostics.file_name(i));
+    }
+    return program;
+}
+
+}  // namespace trellis

@@ -1,0 +1,40 @@
+// What names mean in the expressions of a machine. Private to runtime/load.
+// Covered by tests/load/compile_machine_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "load/builder.h"
+
+#include <string_view>
+#include <unordered_map>
+
+namespace trellis {
+
+/// The names that one machine declares. Variables have one scope; elapsed() depends on the state.
+struct MachineScope {
+    std::unordered_map<std::string_view, RowId> states;
+    std::unordered_map<std::string_view, SlotId> variables;
+    std::unordered_map<std::string_view, SlotId> system;  ///< those that are used
+};
+
+class MachineNames final : public Names {
+public:
+    /// For an expression at `where`, inside state row `state`.
+    MachineNames(Builder& builder, MachineScope& scope, RowId state, Where where)
+        : builder_(builder), scope_(scope), state_(state), where_(where) {}
+
+    Meaning variable(std::string_view name, Use use) override;
+    Meaning sensor(std::string_view name) override { return builder_.sensor(name); }
+    Meaning elapsed() override;
+    Meaning state(std::string_view name) override;
+
+private:
+    Meaning system_variable(std::string_view name);
+
+    Builder& builder_;
+    MachineScope& scope_;
+    RowId state_;
+    Where where_;
+};
+
+}  // namespace trellis

@@ -1,0 +1,353 @@
+// Nodes to rows.
+// SPDX-License-Identifier: MIT
+#include "load/tree_compiler.h"
+
+#include "core/ports.h"
+#include "load/attribute_rule.h"
+#include "load/compile.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trellis {
+
+namespace {
+
+/// What names mean in the scripts of a tree.
+class TreeNames final : public Names {
+public:
+    TreeNames(Builder& builder, Scopes& scopes, ScopeId scope, Where where)
+        : builder_(builder), scopes_(scopes), scope_(scope), where_(where) {}
+
+    Meaning variable(std::string_view name, Use use) override {
+        if (use != Use::create) {
+            for (const auto& [known, number] : builder_.registry().enumerators()) {
+                if (known == name) {
+                    return {.kind = Meaning::Kind::constant,
+                            .value = Value::integer(number),
+                            .message = {}};
+                }
+            }
+            if (name == "pi" && !scopes_.find(scope_, name)) { return {}; }
+        }
+        const SlotId slot = scopes_.variable(scope_, name);
+        if (use == Use::create) {
+            scopes_.written(slot);
+        } else {
+            scopes_.needed(slot, where_);
+        }
+        return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
+    }
+    Meaning sensor(std::string_view name) override { return builder_.sensor(name); }
+    Meaning elapsed() override {
+        return {.kind = Meaning::Kind::elapsed_count,
+                .index = scopes_.row(scope_).index,
+                .value = {},
+                .message = {}};
+    }
+    Meaning state(std::string_view) override {
+        return {.kind = Meaning::Kind::error,
+                .value = {},
+                .message = "In() is for machines: a tree has no states"};
+    }
+
+private:
+    Builder& builder_;
+    Scopes& scopes_;
+    ScopeId scope_;
+    Where where_;
+};
+
+constexpr std::string_view explicit_forms[] = {"Action", "Condition", "Control", "Decorator"};
+
+bool is_explicit(std::string_view element) {
+    return std::find(std::begin(explicit_forms), std::end(explicit_forms), element) !=
+           std::end(explicit_forms);
+}
+
+}  // namespace
+
+TreeCompiler::TreeCompiler(Builder& builder, TreeFiles& files)
+    : builder_(builder), files_(files), scopes_(builder) {
+    for (const OpInfo& op : op_table()) {
+        const bool node = op.group == OpGroup::control || op.group == OpGroup::decorator ||
+                          op.group == OpGroup::action || op.group == OpGroup::condition;
+        if (node && !op.element.empty()) { built_ins_.emplace(op.element, op.op); }
+    }
+    for (const LeafType& type : builder.registry().leaves()) {
+        leaves_.emplace(type.name, &type);
+    }
+}
+
+RowId TreeCompiler::tree(const TreeSource& tree, RowId parent) {
+    const Document& document = tree.file->document;
+    const RowId n = builder_.open(Op::tree, parent, tree.id.empty() ? "tree" : tree.id,
+                                  document.at(tree.element).where);
+    if (!n) { return n; }
+    const ScopeId scope = scopes_.add(n, {});
+    reached_.insert(tree.id);
+    expanding_.push_back(tree.id);
+    children_of({tree.file, tree.element, scope, n}, n);
+    expanding_.pop_back();
+    builder_.close(n);
+    return n;
+}
+
+void TreeCompiler::finish() {
+    for (const auto& [name, value] : builder_.options().given) {
+        const SlotId slot = scopes_.find(main_scope(), name);
+        if (slot) { scopes_.written(slot); }
+    }
+    scopes_.check_needed();
+}
+
+void TreeCompiler::check_unreached() {
+    for (const TreeSource& source : files_.trees()) {
+        if (reached_.contains(source.id)) { continue; }
+        Builder scratch(builder_.registry(), builder_.grammar(), builder_.diagnostics(),
+                        builder_.options());
+        TreeCompiler compiler(scratch, files_);
+        compiler.tree(source, {});
+        for (const std::string_view id : compiler.reached_) {
+            reached_.insert(id);
+        }
+    }
+}
+
+void TreeCompiler::children_of(const Place& place, RowId n) {
+    for (const ElementId child : document(place).children(place.element)) {
+        if (builder_.is_full()) { return; }
+        node({place.file, child, place.scope, n});
+    }
+}
+
+// The name of the node or leaf, whichever way it is spelt.
+std::string_view TreeCompiler::kind(const Place& place) const {
+    const std::string_view element = document(place).name(place.element);
+    return is_explicit(element) ? document(place).value(place.element, "ID") : element;
+}
+
+std::string_view TreeCompiler::instance_name(const Place& place) const {
+    const std::string_view element = document(place).name(place.element);
+    const std::string_view otherwise =
+        element == "SubTree" ? document(place).value(place.element, "ID") : kind(place);
+    return document(place).value(place.element, "name", otherwise);
+}
+
+void TreeCompiler::node(const Place& place) {
+    const std::string_view name = kind(place);
+    if (name == "SubTree") { return subtree(place); }
+    if (const auto op = built_ins_.find(name); op != built_ins_.end()) {
+        return built_in(place, op_table()[op->second]);
+    }
+    // an unknown name has been reported by check()
+    if (const auto type = leaves_.find(name); type != leaves_.end()) { leaf(place, *type->second); }
+}
+
+void TreeCompiler::built_in(const Place& place, const OpInfo& op) {
+    const std::uint32_t arg = ports(place, op.op);
+    const RowId n = builder_.open(op.op, place.parent, instance_name(place),
+                                  document(place).at(place.element).where, arg);
+    if (!n) { return; }
+    conditions(place, n);
+    children_of(place, n);
+    builder_.close(n);
+}
+
+// Ports -------------------------------------------------------------------------------------------
+
+// The code of all ports of a built-in node, in the order of builtin_ports.def; returns the first.
+std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
+    struct BuiltInPort {
+        Op op;
+        std::string_view name, type, initial;
+    };
+    static constexpr BuiltInPort all[] = {
+#define PORT(op, name, type, required, initial, doc) {Op::op, name, #type, initial},
+#include "core/builtin_ports.def"
+    };
+    std::vector<CodeId> codes;
+    for (const BuiltInPort& port : all) {
+        if (port.op != op) { continue; }
+        const Attribute* attribute = document(place).find(place.element, port.name);
+        if (attribute != nullptr) {
+            codes.push_back(port_code(place, port.name, port.type, *attribute));
+        } else {
+            codes.push_back(builder_.constant(literal_value(port.initial), Dialect::tree));
+        }
+    }
+    std::vector<CodeId>& table = builder_.program.ports;
+    table.insert(table.end(), codes.begin(), codes.end());
+    return static_cast<std::uint32_t>(table.size() - codes.size());
+}
+
+CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::string_view type,
+                               const Attribute& attribute) {
+    const std::string_view value = document(place).string(attribute.value);
+    if (type == "script") {
+        if (value.empty()) { return {}; }
+        TreeNames names(builder_, scopes_, place.scope, attribute.value_where);
+        return builder_.expression(*place.file, attribute, Dialect::tree, SyntaxMode::script,
+                                   names);
+    }
+    if (is_pointer(value)) {
+        const SlotId slot = scopes_.variable(place.scope, pointer_key(value, name));
+        scopes_.needed(slot, attribute.value_where);
+        return builder_.variable(slot, Dialect::tree);
+    }
+    return builder_.constant(builder_.enumerated(literal_value(value)), Dialect::tree);
+}
+
+void TreeCompiler::leaf(const Place& place, const LeafType& type) {
+    const std::uint32_t call = builder_.add_call(type);
+    const bool long_form = is_explicit(document(place).name(place.element));
+    for (const Attribute& attribute : document(place).attributes_of(place.element)) {
+        const std::string_view name = document(place).string(attribute.name);
+        if (name == "name" || name.starts_with('_') || (long_form && name == "ID")) { continue; }
+        if (const Port* port = type.find(name); port != nullptr) {
+            leaf_port(place, *port, attribute);
+        }
+    }
+    const RowId n =
+        builder_.open(type.synchronous ? Op::condition : Op::action, place.parent,
+                      instance_name(place), document(place).at(place.element).where, call);
+    if (!n) { return; }
+    conditions(place, n);
+    builder_.close(n);
+}
+
+// A {key} shares a variable of the port's type; anything else is a literal.
+void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribute& attribute) {
+    const std::string_view value = document(place).string(attribute.value);
+    if (!is_pointer(value)) {
+        if (port.direction == PortDirection::input) {
+            builder_.set_literal(port, builder_.enumerated(Value::text(value)));
+        }
+        return;
+    }
+    const SlotId slot = scopes_.variable(place.scope, pointer_key(value, port.name));
+    Slot& entry = builder_.program.slots[slot.index];
+    if (entry.type == EntryType::missing) { entry.type = entry_type(port.type); }
+    if (port.direction != PortDirection::output) {
+        builder_.set_live(port, builder_.variable(slot, Dialect::tree));
+        const bool may_be_absent = port.present != Port::always || port.type == PortType::any;
+        if (!may_be_absent) { scopes_.needed(slot, attribute.value_where); }
+    }
+    if (port.direction != PortDirection::input) {
+        builder_.set_output(port, slot);
+        scopes_.written(slot);
+    }
+}
+
+void TreeCompiler::conditions(const Place& place, RowId n) {
+    static constexpr std::pair<std::string_view, CodeId Conditions::*> all[] = {
+        {"_failureIf", &Conditions::failure_if}, {"_successIf", &Conditions::success_if},
+        {"_skipIf", &Conditions::skip_if},       {"_while", &Conditions::while_true},
+        {"_onSuccess", &Conditions::on_success}, {"_onFailure", &Conditions::on_failure},
+        {"_onHalted", &Conditions::on_halted},   {"_post", &Conditions::post},
+    };
+    Conditions found;
+    for (const auto& [name, member] : all) {
+        const Attribute* attribute = document(place).find(place.element, name);
+        if (attribute == nullptr || attribute->value.size == 0) { continue; }
+        TreeNames names(builder_, scopes_, place.scope, attribute->value_where);
+        found.*member =
+            builder_.expression(*place.file, *attribute, Dialect::tree, SyntaxMode::script, names);
+    }
+    if (found == Conditions()) { return; }
+    builder_.program.rows[n.index].conditional = true;
+    builder_.program.conditions.emplace_back(n, found);
+}
+
+// Subtrees ----------------------------------------------------------------------------------------
+
+void TreeCompiler::subtree(const Place& place) {
+    const Attribute* id = document(place).find(place.element, "ID");
+    if (id == nullptr) { return; }
+    const std::string_view name = document(place).string(id->value);
+    const TreeSource* tree = files_.find(name);
+    if (tree == nullptr) {
+        builder_.diagnostics().error("unknown-tree", id->value_where,
+                                     "there is no tree \"" + std::string(name) + "\"" +
+                                         suggestion(name, files_.ids()));
+        return;
+    }
+    if (is_recursive(tree->id, id->value_where)) { return; }
+    const RowId n = builder_.open(Op::subtree, place.parent, instance_name(place),
+                                  document(place).at(place.element).where);
+    if (!n) { return; }
+    conditions(place, n);
+    const ScopeId inside = scopes_.add(n, place.scope);
+    parameters(place, inside, files_.model(name));
+    reached_.insert(tree->id);
+    expanding_.push_back(tree->id);
+    children_of({tree->file, tree->element, inside, n}, n);
+    expanding_.pop_back();
+    builder_.close(n);
+}
+
+bool TreeCompiler::is_recursive(std::string_view id, Where where) {
+    const auto again = std::find(expanding_.begin(), expanding_.end(), id);
+    if (again == expanding_.end()) { return false; }
+    std::string chain;
+    for (auto at = again; at != expanding_.end(); ++at) {
+        chain += std::string(*at) + " uses ";
+    }
+    builder_.diagnostics().error("tree-recursion", where,
+                                 "a tree cannot contain itself: " + chain + std::string(id));
+    return true;
+}
+
+// The attributes of a <SubTree>, and what its model adds to them (TREES §2.3).
+void TreeCompiler::parameters(const Place& place, ScopeId inside,
+                              const std::vector<SubtreePort>* model) {
+    const Document& doc = document(place);
+    const std::string_view autoremap = doc.value(place.element, "_autoremap");
+    const bool remaps_all =
+        autoremap == "1" || autoremap == "true" || autoremap == "True" || autoremap == "TRUE";
+    for (const Attribute& attribute : doc.attributes_of(place.element)) {
+        const std::string_view name = doc.string(attribute.name);
+        if (name == "ID" || name == "name" || name.starts_with('_')) { continue; }
+        parameter(inside, name, doc.string(attribute.value));
+    }
+    if (model != nullptr) {
+        for (const SubtreePort& port : *model) {
+            if (doc.find(place.element, port.name) != nullptr) { continue; }
+            if (port.has_initial) {
+                parameter(inside, port.name, port.initial);
+            } else if (!remaps_all) {
+                builder_.diagnostics().error("missing-parameter", doc.at(place.element).where,
+                                             "the tree \"" +
+                                                 std::string(doc.value(place.element, "ID")) +
+                                                 "\" needs the parameter \"" + port.name + "\"");
+            }
+        }
+    }
+    if (remaps_all) { scopes_.autoremap(inside); }
+}
+
+// {key} shares a variable with the scope around; a literal is a variable of the subtree itself.
+void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_view value) {
+    if (is_pointer(value)) {
+        scopes_.remap(inside, name, pointer_key(value, name));
+        return;
+    }
+    const SlotId slot = scopes_.local(inside, name);
+    builder_.set_initial(slot, literal_value(value));
+    scopes_.written(slot);
+}
+
+// Entrances ---------------------------------------------------------------------------------------
+
+void compile_tree(ReadFile file, Builder& builder) {
+    TreeFiles files(builder);
+    files.add(std::move(file));
+    TreeCompiler compiler(builder, files);
+    if (const TreeSource* main = files.main_tree(builder.options().main_tree); main != nullptr) {
+        compiler.tree(*main, {});
+        compiler.finish();
+    }
+    compiler.check_unreached();
+}
+
+}  // namespace trellis

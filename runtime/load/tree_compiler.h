@@ -1,0 +1,67 @@
+// Compiles trees: nodes to rows, attributes to ports, names to variables (TREES §2). Private to
+// runtime/load; the entrance is compile.h. Covered by tests/load/compile_tree_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/program.h"
+#include "load/builder.h"
+#include "load/scopes.h"
+#include "load/tree_files.h"
+
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace trellis {
+
+class TreeCompiler {
+public:
+    TreeCompiler(Builder& builder, TreeFiles& files);
+
+    /// Compiles `tree` as a whole tree below row `parent` (none: as row 0).
+    RowId tree(const TreeSource& tree, RowId parent);
+    /// To be called after the last tree: finds variables that nothing writes.
+    void finish();
+    /// Trees that were not reached are compiled too, for their faults, and thrown away.
+    void check_unreached();
+    Scopes& scopes() { return scopes_; }
+    ScopeId main_scope() const { return {0}; }
+
+private:
+    struct Place {  // where a node stands
+        const ReadFile* file;
+        ElementId element;
+        ScopeId scope;
+        RowId parent;
+    };
+
+    void node(const Place& place);
+    void built_in(const Place& place, const OpInfo& op);
+    void leaf(const Place& place, const LeafType& type);
+    void subtree(const Place& place);
+    void parameters(const Place& place, ScopeId inside, const std::vector<SubtreePort>* model);
+    void parameter(ScopeId inside, std::string_view name, std::string_view value);
+    bool is_recursive(std::string_view id, Where where);
+    void children_of(const Place& place, RowId n);
+
+    std::uint32_t ports(const Place& place, Op op);
+    CodeId port_code(const Place& place, std::string_view name, std::string_view type,
+                     const Attribute& attribute);
+    void leaf_port(const Place& place, const Port& port, const Attribute& attribute);
+    void conditions(const Place& place, RowId n);
+
+    const Document& document(const Place& place) const { return place.file->document; }
+    std::string_view kind(const Place& place) const;
+    std::string_view instance_name(const Place& place) const;
+
+    Builder& builder_;
+    TreeFiles& files_;
+    Scopes scopes_;
+    std::unordered_map<std::string_view, Op> built_ins_;
+    std::unordered_map<std::string_view, const LeafType*> leaves_;
+    std::vector<std::string_view> expanding_;  // IDs of the subtrees being compiled
+    std::unordered_set<std::string_view> reached_;
+};
+
+}  // namespace trellis

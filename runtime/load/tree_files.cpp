@@ -1,0 +1,165 @@
+// Includes, trees and models of tree_files.h.
+// SPDX-License-Identifier: MIT
+#include "load/tree_files.h"
+
+#include "load/check.h"
+#include "load/grammar.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace trellis {
+
+void TreeFiles::add(ReadFile file) {
+    including_.push_back(file.source.name);
+    const ReadFile& kept = files_.emplace_back(std::move(file));
+    if (!kept.document.empty()) {
+        for (const ElementId e : kept.document.children(kept.document.root())) {
+            add_element(kept, e);
+        }
+    }
+    including_.pop_back();
+}
+
+void TreeFiles::add_element(const ReadFile& file, ElementId e) {
+    const std::string_view name = file.document.name(e);
+    if (name == "include") {
+        add_include(file, e);
+    } else if (name == "BehaviorTree") {
+        add_tree(file, e);
+    } else if (name == "TreeNodesModel") {
+        add_models(file, e);
+    }
+}
+
+void TreeFiles::add_include(const ReadFile& file, ElementId e) {
+    const Attribute* path = file.document.find(e, "path");
+    if (path == nullptr) { return; }
+    const std::string_view name = file.document.string(path->value);
+    Diagnostics& diagnostics = builder_.diagnostics();
+    std::optional<Source> source;
+    if (builder_.options().reader != nullptr) {
+        source = builder_.options().reader->read(name, file.source.name,
+                                                 file.document.value(e, "ros_pkg"));
+    }
+    if (!source) {
+        diagnostics.error("unreadable-file", path->value_where,
+                          "cannot read \"" + std::string(name) + "\"");
+        return;
+    }
+    const auto again = std::find(including_.begin(), including_.end(), source->name);
+    if (again != including_.end()) {
+        std::string chain;
+        for (auto at = again; at != including_.end(); ++at) {
+            chain += *at + " includes ";
+        }
+        diagnostics.error("include-cycle", path->value_where, chain + source->name);
+        return;
+    }
+    // a file that is included twice is the same file
+    const bool known = std::any_of(files_.begin(), files_.end(), [&](const ReadFile& other) {
+        return other.source.name == source->name;
+    });
+    if (known) { return; }
+    std::optional<Document> document = read(*source, diagnostics, builder_.options());
+    if (!document) { return; }
+    check(*document, builder_.grammar(), diagnostics);
+    add({std::move(*source), std::move(*document)});
+}
+
+void TreeFiles::add_tree(const ReadFile& file, ElementId e) {
+    std::string id(file.document.value(e, "ID"));
+    Diagnostics& diagnostics = builder_.diagnostics();
+    if (id.empty()) {
+        const Document& document = file.document;
+        const ElementId root = document.root();
+        const auto is_tree = [&](ElementId c) { return document.name(c) == "BehaviorTree"; };
+        std::size_t trees = 0;
+        for (const ElementId c : document.children(root)) {
+            trees += is_tree(c) ? 1U : 0U;
+        }
+        if (trees > 1) {
+            diagnostics.error("missing-id", document.at(e).where,
+                              "a BehaviorTree needs an ID where a file has several");
+        }
+    }
+    if (const TreeSource* other = find(id); other != nullptr && !id.empty()) {
+        const Where where = other->file->document.at(other->element).where;
+        diagnostics.error("duplicate-id", file.document.at(e).where,
+                          "there is already a tree \"" + id + "\" in " + other->file->source.name +
+                              ", line " + std::to_string(where.line));
+        return;
+    }
+    const TreeSource& tree = trees_.emplace_back(TreeSource{&file, e, std::move(id)});
+    by_id_.emplace(tree.id, &tree);
+}
+
+void TreeFiles::add_models(const ReadFile& file, ElementId e) {
+    const Document& document = file.document;
+    for (const ElementId model : document.children(e)) {
+        if (document.name(model) != "SubTree") { continue; }
+        std::vector<SubtreePort>& ports = models_[std::string(document.value(model, "ID"))];
+        for (const ElementId port : document.children(model)) {
+            if (!document.name(port).ends_with("_port")) { continue; }
+            ports.push_back({std::string(document.value(port, "name")),
+                             std::string(document.value(port, "default")),
+                             document.find(port, "default") != nullptr});
+        }
+    }
+}
+
+const TreeSource* TreeFiles::main_tree(std::string_view named) {
+    const ReadFile& file = files_.front();
+    const ElementId root = file.document.root();
+    Diagnostics& diagnostics = builder_.diagnostics();
+    const Attribute* said = file.document.find(root, "main_tree_to_execute");
+    Where where = file.document.at(root).where;
+    if (named.empty() && said != nullptr) {
+        named = file.document.string(said->value);
+        where = said->value_where;
+    }
+    if (!named.empty()) {
+        const TreeSource* tree = find(named);
+        if (tree == nullptr) {
+            diagnostics.error("unknown-tree", where,
+                              "there is no tree \"" + std::string(named) + "\"" +
+                                  suggestion(named, ids()));
+        }
+        return tree;
+    }
+    const TreeSource* only = nullptr;
+    for (const TreeSource& tree : trees_) {
+        if (tree.file != &file) { continue; }
+        if (only != nullptr) {
+            diagnostics.error("no-main-tree", where,
+                              "main_tree_to_execute must say which of the trees runs");
+            return nullptr;
+        }
+        only = &tree;
+    }
+    if (only == nullptr) {
+        diagnostics.error("no-main-tree", where, "this file has no BehaviorTree to run");
+    }
+    return only;
+}
+
+const TreeSource* TreeFiles::find(std::string_view id) const {
+    const auto found = by_id_.find(id);
+    return found == by_id_.end() ? nullptr : found->second;
+}
+
+std::vector<std::string_view> TreeFiles::ids() const {
+    std::vector<std::string_view> ids;
+    for (const TreeSource& tree : trees_) {
+        ids.emplace_back(tree.id);
+    }
+    return ids;
+}
+
+const std::vector<SubtreePort>* TreeFiles::model(std::string_view id) const {
+    const auto found = models_.find(std::string(id));
+    return found == models_.end() ? nullptr : &found->second;
+}
+
+}  // namespace trellis
