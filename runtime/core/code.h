@@ -74,6 +74,10 @@ private:
 /// is not empty.
 inline constexpr Operand no_operand;
 
+/// Temporary 0. Only an instruction that reads it directly after the one that computes it uses it,
+/// and only for numbers, so that evaluation can keep it in a register.
+inline constexpr Operand accumulator_operand(Space::temporary, 0);
+
 /// What went wrong. exec/evaluate.h describes it in words.
 enum class EvalErrorKind : std::uint8_t {
     none,

@@ -166,36 +166,37 @@ bool Value::set_member(std::string_view key, Value value) {
     return true;
 }
 
+const Value* Value::child(const Value& key) const {
+    if (kind_ == Kind::object) return key.is(Kind::text) ? member(*key.payload_.text) : nullptr;
+    if (kind_ != Kind::array || !key.is_number()) return nullptr;
+    // written so that NaN fails too
+    const double index = key.number();
+    if (!(index >= 0 && index < static_cast<double>(payload_.array->size()))) return nullptr;
+    const auto whole = static_cast<std::size_t>(index);
+    return static_cast<double>(whole) == index ? &(*payload_.array)[whole] : nullptr;
+}
+
 bool Value::set_at(std::span<const Value> keys, const Value& value) {
     if (value.depth_ + keys.size() > max_depth) return false;
     Value* at = this;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        Value* next = nullptr;
-        if (at->is(Kind::object) && keys[i].is(Kind::text)) {
-            next = const_cast<Value*>(at->member(keys[i].as_text()));
-            if (next == nullptr && i + 1 == keys.size()) {
-                at->payload_.object->push_back(Member{.key = keys[i].as_text(), .value = Value()});
-                next = &at->payload_.object->back().value;
-            }
-        } else if (at->is(Kind::array) && keys[i].is_number()) {
-            const double index = keys[i].number();
-            // written so that NaN fails too
-            if (index >= 0 && index < static_cast<double>(at->payload_.array->size())) {
-                next = &(*at->payload_.array)[static_cast<std::size_t>(index)];
-            }
+        auto* next = const_cast<Value*>(at->child(keys[i]));
+        if (next == nullptr) {
+            if (i + 1 < keys.size() || !at->is(Kind::object) || !keys[i].is(Kind::text))
+                return false;
+            next = &at->payload_.object
+                        ->emplace_back(Member{.key = keys[i].as_text(), .value = Value()})
+                        .value;
         }
-        if (next == nullptr) return false;
         at = next;
     }
     *at = value;
     // the way down is walked a second time, because only now is it certain that the place exists
     at = this;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        const auto below = static_cast<std::uint8_t>(value.depth_ + keys.size() - i);
-        at->depth_ = std::max(at->depth_, below);
-        at = at->is(Kind::object)
-                 ? const_cast<Value*>(at->member(keys[i].as_text()))
-                 : &(*at->payload_.array)[static_cast<std::size_t>(keys[i].number())];
+        at->depth_ =
+            std::max(at->depth_, static_cast<std::uint8_t>(value.depth_ + keys.size() - i));
+        at = const_cast<Value*>(at->child(keys[i]));
     }
     return true;
 }
@@ -239,35 +240,23 @@ void Value::copy_payload(const Value& other) {
 
 void Value::assign_payload(const Value& other) {
     if (this == &other) return;
-    if (kind_ != other.kind_) {
-        // the copy comes first: `other` may lie inside this value
+    // `other` may lie inside this value, and then is less deep: it is copied before this value
+    // changes
+    if (kind_ != other.kind_ || other.depth_ < depth_) {
         *this = Value(other);
         return;
     }
+    depth_ = other.depth_;
     switch (kind_) {
     case Kind::text: *payload_.text = *other.payload_.text; break;
-    case Kind::array:
-        // an element of this array would be overwritten while it is read
-        if (other.depth_ < depth_) {
-            *this = Value(other);
-        } else {
-            *payload_.array = *other.payload_.array;
-        }
-        break;
-    case Kind::object:
-        if (other.depth_ < depth_) {
-            *this = Value(other);
-        } else {
-            *payload_.object = *other.payload_.object;
-        }
-        break;
+    case Kind::array: *payload_.array = *other.payload_.array; break;
+    case Kind::object: *payload_.object = *other.payload_.object; break;
     case Kind::undefined:
     case Kind::null:
     case Kind::boolean:
     case Kind::integer:
     case Kind::real: break;
     }
-    depth_ = other.depth_;
 }
 
 void Value::release() noexcept {

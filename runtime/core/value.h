@@ -102,6 +102,10 @@ public:
     /// The member called `key` of an object, nullptr if it has none.
     const Value* member(std::string_view key) const;
 
+    /// What lies directly below this value under `key`: the member that a text names, the element
+    /// that a whole number names. nullptr if there is none.
+    const Value* child(const Value& key) const;
+
     /// 0 for scalars and texts, 1 for arrays and objects of those, and so on; never less than the
     /// true depth.
     std::uint8_t depth() const { return depth_; }

@@ -1,8 +1,8 @@
-// The inner loop: one switch over instructions, two numbers handled in place, everything else in
-// evaluate_tree.cpp, evaluate_machine.cpp and evaluate_values.cpp. The loop is compiled once per
-// kind of result, so that the last result leaves in a register instead of through memory. Computed
-// jumps instead of the switch, and results kept in registers between instructions, were measured
-// and gained nothing (bench/expression_bench.cpp). Covered by tests/exec/evaluate_test.cpp and
+// Two loops over instructions. The fast one computes with numbers only, in registers, calls nothing
+// and therefore needs no stack frame; at the first instruction that is beyond it, it hands over to
+// the general one for the rest of the expression. Both are compiled once per kind of result, so
+// that the last result leaves in a register. One general loop alone takes twice as long
+// (bench/expression_bench.cpp). Covered by tests/exec/evaluate_test.cpp and
 // tests/exec/scripts_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "exec/evaluate.h"
@@ -16,63 +16,69 @@
 namespace trellis {
 namespace {
 
-// where the last result goes; each returns whether it is acceptable
+// Where the last result goes. accepts() says whether the value is one that the caller can use.
+
 struct ValueSink {
+    using Result = bool;
+    static constexpr bool forgets = false;
+    static constexpr EvalErrorKind refusal = EvalErrorKind::none;
     Value& result;
-    bool real(double x, bool) { return result.set_real(x), true; }
-    bool boolean(bool x, bool tree) {
-        if (tree)
-            result.set_real(x ? 1 : 0);
-        else
-            result.set_boolean(x);
-        return true;
+
+    static bool accepts(double, bool) { return true; }
+    static bool accepts(const Value&, bool) { return true; }
+    bool number(double x) { return result.set_real(x), true; }
+    bool answer(bool x, bool tree) {
+        return tree ? result.set_real(x ? 1 : 0) : result.set_boolean(x), true;
     }
     bool value(const Value& v, bool) { return result = v, true; }
-    static constexpr EvalErrorKind refusal = EvalErrorKind::none;
+    static bool failure() { return false; }
 };
 
 struct NoSink {
-    bool real(double, bool) { return true; }
-    bool boolean(bool, bool) { return true; }
-    bool value(const Value&, bool) { return true; }
+    using Result = bool;
+    static constexpr bool forgets = true;
     static constexpr EvalErrorKind refusal = EvalErrorKind::none;
+
+    static bool accepts(double, bool) { return true; }
+    static bool accepts(const Value&, bool) { return true; }
+    static bool number(double) { return true; }
+    static bool answer(bool, bool) { return true; }
+    static bool value(const Value&, bool) { return true; }
+    static bool failure() { return false; }
 };
 
 struct ConditionSink {
-    Truth truth = Truth::failed;
-    bool real(double x, bool tree) {
-        truth = x != 0 ? Truth::yes : Truth::no;
-        return !tree || !(x < 0);
-    }
-    bool boolean(bool x, bool) { return truth = x ? Truth::yes : Truth::no, true; }
-    bool value(const Value& v, bool tree) {
-        truth = tree ? tree_condition(v) : machine_condition(v);
-        return truth != Truth::failed;
-    }
+    using Result = Truth;
+    static constexpr bool forgets = false;
     static constexpr EvalErrorKind refusal = EvalErrorKind::not_a_condition;
+
+    static bool accepts(double x, bool tree) { return !tree || !(x < 0); }
+    static bool accepts(const Value& v, bool tree) {
+        return !tree || tree_condition(v) != Truth::failed;
+    }
+    static Truth number(double x) { return x != 0 ? Truth::yes : Truth::no; }
+    static Truth answer(bool x, bool) { return x ? Truth::yes : Truth::no; }
+    static Truth value(const Value& v, bool tree) {
+        return tree ? tree_condition(v) : machine_condition(v);
+    }
+    static Truth failure() { return Truth::failed; }
 };
 
 struct RealSink {
-    double number = 0;
-    bool real(double x, bool) { return number = x, true; }
-    bool boolean(bool x, bool) { return number = x ? 1 : 0, true; }
-    bool value(const Value& v, bool) {
-        if (!v.is_number() && !v.is(Value::Kind::boolean)) return false;
-        number = v.number();
-        return true;
-    }
+    using Result = bool;
+    static constexpr bool forgets = false;
     static constexpr EvalErrorKind refusal = EvalErrorKind::not_a_number;
-};
+    double& result;
 
-// two reals, the case that matters, first
-inline bool numbers(const Value& a, const Value& b, double& x, double& y) {
-    if (a.is(Value::Kind::real) && b.is(Value::Kind::real)) [[likely]] {
-        x = a.as_real();
-        y = b.as_real();
-        return true;
+    static bool accepts(double, bool) { return true; }
+    static bool accepts(const Value& v, bool) {
+        return v.is_number() || v.is(Value::Kind::boolean);
     }
-    return exact_number(a, x) && exact_number(b, y);
-}
+    bool number(double x) { return result = x, true; }
+    bool answer(bool x, bool) { return result = x ? 1 : 0, true; }
+    bool value(const Value& v, bool) { return result = v.number(), true; }
+    static bool failure() { return false; }
+};
 
 template <class T>
 T host_value(const EvalContext& context, std::uint32_t offset) {
@@ -94,9 +100,52 @@ bool reads_missing_variable(const EvalContext& context, const Instruction& in) {
            static_cast<EntryType>(context.entry_types[in.a.index()]) == EntryType::missing;
 }
 
-// the operations that the inner loop does not know
-bool other_operation(const CodeTable& code, EvalContext& context, const Instruction& in) {
+void set_answer(Value& target, bool answer, bool tree) {
+    if (tree)
+        target.set_real(answer ? 1 : 0);
+    else
+        target.set_boolean(answer);
+}
+
+bool in_state(EvalContext& context, const Instruction& in, Value& target) {
+    RowId row{in.extra};
+    if (in.op == CodeOp::in_named) {
+        const Value& name = value_at(context, in.a);
+        if (!name.is(Value::Kind::text)) return fail(context, EvalErrorKind::operands, name, name);
+        row = context.state_named != nullptr ? context.state_named(context.world, name.as_text())
+                                             : RowId();
+        if (!row) return fail(context, EvalErrorKind::no_such_state, name, name);
+    }
+    set_answer(target, context.in_state != nullptr && context.in_state(context.world, row),
+               in.tree);
+    return true;
+}
+
+// every operation that has a result and neither jumps nor only copies
+bool operation(const CodeTable& code, EvalContext& context, const Instruction& in) {
+    Value& target = context.temporaries[in.target];
     switch (in.op) {
+    case CodeOp::elapsed_count:
+        target.set_real(context.row_memory[in.extra] * context.dt);
+        return true;
+    case CodeOp::elapsed_since:
+        target.set_real((context.cycle - context.row_memory[in.extra]) * context.dt);
+        return true;
+    case CodeOp::sensor_boolean:
+        set_answer(target, host_value<bool>(context, in.extra), in.tree);
+        return true;
+    case CodeOp::sensor_integer:
+        target.set_real(host_value<std::int32_t>(context, in.extra));
+        return true;
+    case CodeOp::sensor_real: target.set_real(host_value<double>(context, in.extra)); return true;
+    case CodeOp::in_state:
+    case CodeOp::in_named: return in_state(context, in, target);
+    case CodeOp::truth:
+        target.set_boolean(machine_condition(value_at(context, in.a)) == Truth::yes);
+        return true;
+    case CodeOp::defined:
+        set_answer(target, !value_at(context, in.a).is(Value::Kind::undefined), in.tree);
+        return true;
     case CodeOp::call: return call_function(context, in);
     case CodeOp::read_at:
     case CodeOp::store_at:
@@ -106,83 +155,160 @@ bool other_operation(const CodeTable& code, EvalContext& context, const Instruct
     }
 }
 
-bool in_state(EvalContext& context, const Instruction& in, bool& answer) {
-    RowId row{in.extra};
-    if (in.op == CodeOp::in_named) {
-        const Value& name = value_at(context, in.a);
-        if (!name.is(Value::Kind::text))
-            return fail(context, EvalErrorKind::operands, name, Value());
-        row = context.state_named != nullptr ? context.state_named(context.world, name.as_text())
-                                             : RowId();
-        if (!row) return fail(context, EvalErrorKind::no_such_state, name, Value());
+// The general loop, from `in` on; what the fast loop knows too comes here only with operands that
+// it does not.
+template <class Sink>
+[[gnu::noinline]] typename Sink::Result run_general(const CodeTable& code, const Instruction* in,
+                                                    EvalContext& context, Sink sink,
+                                                    double accumulator) {
+    const Instruction* const instructions = code.instructions.data();
+    Value* const temporaries = context.temporaries;
+    temporaries[accumulator_operand.index()].set_real(accumulator);
+
+    for (;; ++in) {
+        const Value& a = value_at(context, in->a);
+        const Value* result = &temporaries[in->target];
+        switch (in->op) {
+        case CodeOp::copy:
+            if (a.is(Value::Kind::undefined) && reads_missing_variable(context, *in)) {
+                fail(context, EvalErrorKind::missing, a, a);
+                goto failed;
+            }
+            result = &a;
+            break;
+        case CodeOp::store:
+            context.slots[in->a.index()] = value_at(context, in->b);
+            if (context.writes != nullptr) ++context.writes[in->a.index()];
+            result = &a;
+            break;
+        case CodeOp::jump: in = instructions + in->extra - 1; continue;
+        case CodeOp::jump_if:
+        case CodeOp::jump_unless: {
+            const Truth truth = in->tree ? tree_ternary(a) : machine_condition(a);
+            if (truth == Truth::failed) {
+                fail(context, EvalErrorKind::not_a_condition, a, a);
+                goto failed;
+            }
+            if ((truth == Truth::yes) != (in->op == CodeOp::jump_if)) continue;
+            if (in->last) return sink.answer(truth == Truth::yes, in->tree);
+            in = instructions + in->extra - 1;
+            continue;
+        }
+        case CodeOp::fail: fail(context, static_cast<EvalErrorKind>(in->extra), a, a); goto failed;
+        default:
+            if (!operation(code, context, *in)) goto failed;
+        }
+
+        if (!in->last) {
+            if (result != &temporaries[in->target]) temporaries[in->target] = *result;
+            continue;
+        }
+        if (Sink::accepts(*result, in->tree)) return sink.value(*result, in->tree);
+        fail(context, Sink::refusal, *result, *result);
+
+    failed:
+        context.error.instruction = static_cast<std::uint32_t>(in - instructions);
+        const std::uint32_t handler = handler_of(code, context.error.instruction);
+        if (handler == code.instructions.size()) return Sink::failure();
+        in = instructions + handler - 1;
     }
-    answer = context.in_state != nullptr && context.in_state(context.world, row);
+}
+
+// A number for the fast loop: the accumulator, a real, an integer that a double holds exactly.
+inline bool number_at(const EvalContext& context, Operand operand, double accumulator, double& x) {
+    if (operand == accumulator_operand) {
+        x = accumulator;
+        return true;
+    }
+    return exact_number(value_at(context, operand), x);
+}
+
+// `number` into a tree's variable that holds a number, which keeps its type. False: it is not as
+// simple as that.
+template <class Sink>
+inline bool assigned(EvalContext& context, const Instruction& in, double number) {
+    Value& variable = context.slots[in.a.index()];
+    if (variable.is(Value::Kind::real)) {
+        variable.set_real(number);
+    } else {
+        // the result would be an integer, which the fast loop knows only how to forget
+        if (!Sink::forgets || !in.last) return false;
+        const std::optional<std::int64_t> whole = truncated(number);
+        if (!whole || static_cast<double>(*whole) != number) return false;
+        variable.set_integer(*whole);
+    }
+    if (context.writes != nullptr) ++context.writes[in.a.index()];
     return true;
 }
 
+// The fast loop, over a whole expression.
 template <class Sink>
-bool run(const CodeTable& code, CodeId id, EvalContext& context, Sink& sink) {
+inline typename Sink::Result run(const CodeTable& code, CodeId id, EvalContext& context,
+                                 Sink sink) {
     assert(id.index < code.instructions.size());
     const Instruction* const instructions = code.instructions.data();
     const Instruction* in = instructions + id.index;
-    Value* const temporaries = context.temporaries;
+    double accumulator = 0;  // what temporaries[0] is in the general loop
 
     for (;; ++in) {
-        const auto a = [&]() -> const Value& { return value_at(context, in->a); };
-        const auto b = [&]() -> const Value& { return value_at(context, in->b); };
+        // a case that breaks has a number, one that goes to `answered` an answer, one that
+        // continues neither
         double x = 0;
         double y = 0;
-        // a case that breaks has a number, one that goes to `answered` an answer, one that goes to
-        // `delivered` a result
         double number = 0;
         bool answer = false;
-        const Value* result = nullptr;
+        const auto a = [&] { return number_at(context, in->a, accumulator, x); };
+        const auto b = [&] { return number_at(context, in->b, accumulator, y); };
         switch (in->op) {
         case CodeOp::add:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             number = x + y;
             break;
         case CodeOp::subtract:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             number = x - y;
             break;
         case CodeOp::multiply:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             number = x * y;
             break;
         case CodeOp::divide:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             number = x / y;
             break;
         case CodeOp::negate:
-            if (!exact_number(a(), x)) goto other;
+            if (!a()) goto general;
             number = -x;
+            break;
+        case CodeOp::absolute:
+            if (!a()) goto general;
+            number = std::fabs(x);
             break;
 
         // BehaviorTree.CPP refuses what the opposite comparison accepts, so that comparisons with
         // NaN hold
         case CodeOp::less:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? !(x >= y) : x < y;
             goto answered;
         case CodeOp::less_equal:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? !(x > y) : x <= y;
             goto answered;
         case CodeOp::greater:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? !(x <= y) : x > y;
             goto answered;
         case CodeOp::greater_equal:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? !(x < y) : x >= y;
             goto answered;
         case CodeOp::equal:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? std::fabs(x - y) <= tree_tolerance : x == y;
             goto answered;
         case CodeOp::not_equal:
-            if (!numbers(a(), b(), x, y)) goto other;
+            if (!a() || !b()) goto general;
             answer = in->tree ? !(std::fabs(x - y) <= tree_tolerance) : x != y;
             goto answered;
 
@@ -193,142 +319,116 @@ bool run(const CodeTable& code, CodeId id, EvalContext& context, Sink& sink) {
         case CodeOp::sensor_boolean: answer = host_value<bool>(context, in->extra); goto answered;
         case CodeOp::sensor_integer: number = host_value<std::int32_t>(context, in->extra); break;
         case CodeOp::sensor_real: number = host_value<double>(context, in->extra); break;
-        case CodeOp::in_state:
-        case CodeOp::in_named:
-            if (!in_state(context, *in, answer)) goto failed;
-            goto answered;
 
         case CodeOp::copy:
-            if (a().is(Value::Kind::undefined) && reads_missing_variable(context, *in)) {
-                fail(context, EvalErrorKind::missing, a(), Value());
-                goto failed;
-            }
-            result = &a();
-            goto delivered;
-        case CodeOp::truth: answer = machine_condition(a()) == Truth::yes; goto answered;
-        case CodeOp::defined: answer = !a().is(Value::Kind::undefined); goto answered;
+            if (!value_at(context, in->a).is(Value::Kind::real)) goto general;
+            number = value_at(context, in->a).as_real();
+            break;
         case CodeOp::jump: in = instructions + in->extra - 1; continue;
         case CodeOp::jump_if:
         case CodeOp::jump_unless: {
-            const Truth truth = in->tree ? tree_ternary(a()) : machine_condition(a());
-            if (truth == Truth::failed) {
-                fail(context, EvalErrorKind::not_a_condition, a(), Value());
-                goto failed;
-            }
-            if ((truth == Truth::yes) != (in->op == CodeOp::jump_if)) continue;
-            if (in->last) return sink.value(a(), in->tree);  // 0, 1 or a boolean: never refused
+            const Value& condition = value_at(context, in->a);
+            if (!condition.is(Value::Kind::boolean) && !condition.is(Value::Kind::real))
+                goto general;
+            const bool holds =
+                condition.is(Value::Kind::real) ? condition.as_real() != 0 : condition.as_boolean();
+            if (holds != (in->op == CodeOp::jump_if)) continue;
+            if (in->last) return sink.answer(holds, in->tree);
             in = instructions + in->extra - 1;
             continue;
         }
-        case CodeOp::fail: {
-            fail(context, static_cast<EvalErrorKind>(in->extra), Value(), Value());
-            goto failed;
-        }
+        case CodeOp::truth:
+            if (!a()) goto general;
+            answer = x != 0;
+            goto answered;
 
         case CodeOp::store: {
             Value& variable = context.slots[in->a.index()];
-            variable = b();
+            const bool is_real =
+                in->b == accumulator_operand || value_at(context, in->b).is(Value::Kind::real);
+            if (!is_real || !b() || variable.kind() >= Value::Kind::text) goto general;
+            number = y;
+            variable.set_real(number);
             if (context.writes != nullptr) ++context.writes[in->a.index()];
-            result = &variable;
-            goto delivered;
+            break;
         }
-        case CodeOp::assign: {
-            // a variable that holds a number exists; any other assignment is for other_operation()
-            Value& variable = context.slots[in->a.index()];
-            if (!variable.is_number() || !exact_number(b(), x)) goto other;
-            if (variable.is(Value::Kind::real)) {
-                variable.set_real(x);
-            } else {
-                const std::optional<std::int64_t> whole = truncated(x);
-                if (!whole || static_cast<double>(*whole) != x) goto other;
-                variable.set_integer(*whole);
-            }
-            if (context.writes != nullptr) ++context.writes[in->a.index()];
-            result = &variable;
-            goto delivered;
+        case CodeOp::declare: {
+            std::uint8_t& type = context.entry_types[in->a.index()];
+            if (type == static_cast<std::uint8_t>(EntryType::missing))
+                type = static_cast<std::uint8_t>(EntryType::any);
+            continue;
         }
-
-        case CodeOp::remainder:
-        case CodeOp::complement:
-        case CodeOp::bit_and:
-        case CodeOp::bit_or:
-        case CodeOp::bit_xor:
-        case CodeOp::concatenate:
-        case CodeOp::logical_not:
-        case CodeOp::logical_and:
-        case CodeOp::logical_or:
-        case CodeOp::declare:
-        case CodeOp::require:
+        case CodeOp::assign:
+            if (!context.slots[in->a.index()].is_number() || !b()) goto general;
+            number = y;
+            if (!assigned<Sink>(context, *in, number)) goto general;
+            break;
         case CodeOp::assign_add:
+            if (!a() || !b()) goto general;
+            number = x + y;
+            if (!assigned<Sink>(context, *in, number)) goto general;
+            break;
         case CodeOp::assign_subtract:
+            if (!a() || !b()) goto general;
+            number = x - y;
+            if (!assigned<Sink>(context, *in, number)) goto general;
+            break;
         case CodeOp::assign_multiply:
+            if (!a() || !b()) goto general;
+            number = x * y;
+            if (!assigned<Sink>(context, *in, number)) goto general;
+            break;
         case CodeOp::assign_divide:
-        case CodeOp::store_at:
-        case CodeOp::read_at:
-        case CodeOp::make_array:
-        case CodeOp::make_object:
-        case CodeOp::call: goto other;
+            if (!a() || !b()) goto general;
+            number = x / y;
+            if (!assigned<Sink>(context, *in, number)) goto general;
+            break;
+        default: goto general;
         }
 
         if (in->last) {
-            if (sink.real(number, in->tree)) return true;
-            fail(context, Sink::refusal, Value::real(number), Value());
-            goto failed;
+            if (!Sink::accepts(number, in->tree)) goto general;
+            return sink.number(number);
         }
-        temporaries[in->target].set_real(number);
+        if (in->target == accumulator_operand.index()) {
+            accumulator = number;
+        } else {
+            Value& target = context.temporaries[in->target];
+            if (target.kind() >= Value::Kind::text) goto general;
+            target.set_real(number);
+        }
         continue;
 
     answered:
-        if (in->last) return sink.boolean(answer, in->tree);
+        if (in->last) return sink.answer(answer, in->tree);
+        Value& target = context.temporaries[in->target];
+        if (target.kind() >= Value::Kind::text) goto general;
         if (in->tree)
-            temporaries[in->target].set_real(answer ? 1 : 0);
+            target.set_real(answer ? 1 : 0);
         else
-            temporaries[in->target].set_boolean(answer);
-        continue;
-
-    other:
-        if (!other_operation(code, context, *in)) goto failed;
-        if (!in->last) continue;
-        result = &temporaries[in->target];
-
-    delivered:
-        if (!in->last) {
-            temporaries[in->target] = *result;
-            continue;
-        }
-        if (sink.value(*result, in->tree)) return true;
-        fail(context, Sink::refusal, *result, Value());
-
-    failed:
-        context.error.instruction = static_cast<std::uint32_t>(in - instructions);
-        const std::uint32_t handler = handler_of(code, context.error.instruction);
-        if (handler == code.instructions.size()) return false;
-        in = instructions + handler - 1;
+            target.set_boolean(answer);
     }
+
+general:
+    return run_general(code, in, context, sink, accumulator);
 }
 
 }  // namespace
 
 bool evaluate(const CodeTable& code, CodeId id, EvalContext& context, Value& result) {
-    ValueSink sink{result};
-    return run(code, id, context, sink);
+    return run(code, id, context, ValueSink{result});
 }
 
 bool execute(const CodeTable& code, CodeId id, EvalContext& context) {
-    NoSink sink;
-    return run(code, id, context, sink);
+    return run(code, id, context, NoSink{});
 }
 
 Truth evaluate_condition(const CodeTable& code, CodeId id, EvalContext& context) {
-    ConditionSink sink;
-    return run(code, id, context, sink) ? sink.truth : Truth::failed;
+    return run(code, id, context, ConditionSink{});
 }
 
 bool evaluate_real(const CodeTable& code, CodeId id, EvalContext& context, double& result) {
-    RealSink sink;
-    if (!run(code, id, context, sink)) return false;
-    result = sink.number;
-    return true;
+    return run(code, id, context, RealSink{result});
 }
 
 }  // namespace trellis

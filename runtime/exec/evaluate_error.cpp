@@ -55,6 +55,7 @@ std::string refused_operands(const Instruction& in, const EvalError& error) {
     if (in.op == CodeOp::call)
         return "function " + std::string(functions()[in.b.index()].name) + " does not take " + left;
     if (in.op == CodeOp::in_named) return "In() takes the name of a state, found " + left;
+    if (in.op == CodeOp::absolute) return "function abs does not take " + left;
     const bool one =
         in.op == CodeOp::negate || in.op == CodeOp::complement || in.op == CodeOp::logical_not;
     std::string text = "operator " + std::string(sign_of(in.op)) + " does not take " + left;

@@ -163,6 +163,10 @@ bool machine_operation(EvalContext& context, const Instruction& in) {
         if (!is_number(a)) return fail(context, EvalErrorKind::operands, a, a);
         target.set_real(-a.number());
         return true;
+    case CodeOp::absolute:
+        if (!is_number(a)) return fail(context, EvalErrorKind::operands, a, a);
+        target.set_real(std::fabs(a.number()));
+        return true;
     case CodeOp::complement: {
         const std::optional<std::int64_t> bits =
             is_number(a) ? truncated(a.number()) : std::nullopt;
@@ -225,12 +229,6 @@ void append_integer(std::string& out, std::int64_t number) {
     std::array<char, 24> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     out.append(digits.data(), end);
-}
-
-std::optional<std::int64_t> truncated(double number) {
-    // written so that NaN fails too; 2^63 itself does not fit
-    if (!(number >= -9223372036854775808.0 && number < 9223372036854775808.0)) return std::nullopt;
-    return static_cast<std::int64_t>(number);
 }
 
 }  // namespace trellis

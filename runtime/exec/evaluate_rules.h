@@ -66,6 +66,10 @@ void append_integer(std::string& out, std::int64_t number);
 
 /// A double as an integer of 64 bits: the digits before the point. Nothing if there are too many,
 /// or for NaN.
-std::optional<std::int64_t> truncated(double number);
+inline std::optional<std::int64_t> truncated(double number) {
+    // written so that NaN fails too; 2^63 itself does not fit
+    if (!(number >= -9223372036854775808.0 && number < 9223372036854775808.0)) return std::nullopt;
+    return static_cast<std::int64_t>(number);
+}
 
 }  // namespace trellis

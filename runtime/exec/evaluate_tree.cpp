@@ -189,6 +189,8 @@ bool unary(EvalContext& context, CodeOp op, const Value& a, Value& target) {
     if (!as_double(context, a, x)) return false;
     if (op == CodeOp::negate) {
         target.set_real(-x);
+    } else if (op == CodeOp::absolute) {
+        target.set_real(std::fabs(x));
     } else if (op == CodeOp::logical_not) {
         target.set_real(x != 0 ? 0 : 1);
     } else {
@@ -323,6 +325,7 @@ bool tree_operation(const CodeTable& code, EvalContext& context, const Instructi
     case CodeOp::assign_multiply:
     case CodeOp::assign_divide: return assignment(code, context, in);
     case CodeOp::negate:
+    case CodeOp::absolute:
     case CodeOp::complement:
     case CodeOp::logical_not: return unary(context, in.op, a, target);
     case CodeOp::less:

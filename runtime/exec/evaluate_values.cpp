@@ -25,37 +25,21 @@ void set_answer(Value& target, bool answer, bool tree) {
         target.set_boolean(answer);
 }
 
-// what lies below `at`; nothing has members that are missing, only `undefined` has none at all
-const Value* below(const Value& at, const Value& key, const Value& undefined, std::string& buffer) {
-    switch (at.kind()) {
-    case Value::Kind::undefined: return nullptr;
-    case Value::Kind::object: {
-        const bool text = key.is(Value::Kind::text);
-        if (!text) {
-            buffer.clear();
-            append_text(buffer, key);
-        }
-        const Value* member = at.member(text ? key.as_text() : buffer);
-        return member != nullptr ? member : &undefined;
-    }
-    case Value::Kind::array: {
-        if (!key.is_number()) return &undefined;
-        const double index = key.number();
-        const bool inside = index >= 0 && index < static_cast<double>(at.elements().size());
-        if (!inside || std::floor(index) != index) return &undefined;
-        return &at.element(static_cast<std::size_t>(index));
-    }
-    default: return &undefined;
-    }
-}
-
+// members that are missing are undefined, but undefined itself has no members
 bool read_at(EvalContext& context, const Instruction& in, Value& target) {
     const Value* at = &value_at(context, in.a);
-    std::string buffer;
     for (const Value& key : values_from(context, in.b, in.extra)) {
-        const Value* next = below(*at, key, value_at(context, no_operand), buffer);
-        if (next == nullptr) return fail(context, EvalErrorKind::no_such_place, *at, key);
-        at = next;
+        if (at->is(Value::Kind::undefined))
+            return fail(context, EvalErrorKind::no_such_place, *at, key);
+        const Value* next = nullptr;
+        if (at->is(Value::Kind::object) && !key.is(Value::Kind::text)) {
+            std::string name;
+            append_text(name, key);
+            next = at->member(name);
+        } else {
+            next = at->child(key);
+        }
+        at = next != nullptr ? next : &value_at(context, no_operand);
     }
     target = *at;
     return true;
@@ -103,7 +87,6 @@ bool is_numeric(const Value& v) {
 // the functions of one and two numbers; `f` is one of them
 double number_function(Function f, double x, double y) {
     switch (f) {
-    case Function::abs: return std::fabs(x);
     case Function::sqrt: return std::sqrt(x);
     case Function::sin: return std::sin(x);
     case Function::cos: return std::cos(x);
@@ -204,7 +187,6 @@ bool call_function(EvalContext& context, const Instruction& in) {
     const Value& second = arguments[arguments.size() > 1 ? 1 : 0];
     const auto f = static_cast<Function>(in.b.index());
     switch (f) {
-    case Function::abs:
     case Function::sqrt:
     case Function::sin:
     case Function::cos:

@@ -15,6 +15,8 @@ namespace trellis {
 namespace {
 
 constexpr std::uint32_t most_temporaries = 0xFFFF;
+constexpr std::uint32_t first_temporary = accumulator_operand.index() + 1;
+static_assert(stored_temporary == first_temporary);
 
 // what BehaviorTree.CPP computes in doubles anyway: a whole number that a double holds exactly
 bool is_exact(const Value& v) {
@@ -56,7 +58,8 @@ class Emitter {
 public:
     Emitter(const Syntax& syntax, Names& names, CodeTable& code, std::vector<EmitError>& errors)
         : syntax_(syntax), names_(names), code_(code), errors_(errors),
-          faults_before_(errors.size()), first_constant_(code.constants.size()) {
+          faults_before_(errors.size()), first_constant_(code.constants.size()),
+          begin_(position()) {
         // no_operand
         if (code.constants.empty()) code.constants.emplace_back();
     }
@@ -97,8 +100,8 @@ private:
         const std::uint32_t t = next_temporary_++;
         if (t == most_temporaries) {
             report(syntax_.root, "the expression has too many parts");
-            next_temporary_ = 0;
-            return 0;
+            next_temporary_ = first_temporary;
+            return first_temporary;
         }
         code_.temporaries = std::max(code_.temporaries, t + 1);
         return t;
@@ -108,9 +111,51 @@ private:
 
     std::uint32_t add(std::uint32_t n, Instruction in) {
         in.tree = tree();
+        if (reads_number(in) && !read_again_) {
+            in.a = accumulated(in.a);
+            in.b = accumulated(in.b);
+        }
         code_.instructions.push_back(in);
         code_.offsets.push_back(node(n).offset);
         return position() - 1;
+    }
+
+    // the operations that take numbers, or at least compute with them where they get them
+    static bool reads_number(const Instruction& in) {
+        return in.op <= CodeOp::absolute || (in.op >= CodeOp::less && in.op <= CodeOp::not_equal) ||
+               in.op == CodeOp::assign || in.op == CodeOp::store;
+    }
+
+    // Gives the previous instruction the accumulator as its target, if that is where `operand`
+    // comes from and it can only be a number.
+    Operand accumulated(Operand operand) {
+        if (operand.space() != Space::temporary || position() == landed_at_ || position() == begin_)
+            return operand;
+        Instruction& previous = code_.instructions.back();
+        if (previous.target != operand.index() || !gives_number(previous)) return operand;
+        previous.target = static_cast<std::uint16_t>(accumulator_operand.index());
+        return accumulator_operand;
+    }
+
+    bool gives_number(const Instruction& in) const {
+        switch (in.op) {
+        case CodeOp::subtract:
+        case CodeOp::multiply:
+        case CodeOp::divide:
+        case CodeOp::negate:
+        case CodeOp::absolute:
+        case CodeOp::sensor_integer:
+        case CodeOp::sensor_real:
+        case CodeOp::elapsed_count:
+        case CodeOp::elapsed_since: return true;
+        case CodeOp::add: return is_number(in.a) || is_number(in.b);  // else it may join texts
+        default: return false;
+        }
+    }
+
+    bool is_number(Operand operand) const {
+        const Value* v = constant_at(operand);
+        return operand == accumulator_operand || (v != nullptr && v->is_number());
     }
 
     struct Parts {
@@ -129,7 +174,10 @@ private:
                        .extra = parts.extra});
     }
 
-    void land(std::uint32_t jump) { code_.instructions[jump].extra = position(); }
+    void land(std::uint32_t jump) {
+        code_.instructions[jump].extra = position();
+        landed_at_ = position();
+    }
 
     void fail(std::uint32_t n, EvalErrorKind kind, std::string_view name) {
         add(n, CodeOp::fail, 0, false,
@@ -394,7 +442,9 @@ private:
             const bool final = i + 2 == it.count;
             const CodeOp op = syntax_.operators[it.index + i];
             const Operand right = operand(i + 1);
+            read_again_ = !final;
             add(n, op, t, last && final, {.a = as_double(op, left), .b = as_double(op, right)});
+            read_again_ = false;
             if (!final)
                 decided.push_back(
                     add(n, CodeOp::jump_unless, t, last, {.a = Operand(Space::temporary, t)}));
@@ -495,6 +545,8 @@ private:
             if (takes(n, name, 0, 0)) read(n, names_.elapsed(), name, t, last);
         } else if (name == "In") {
             if (takes(n, name, 1, 1)) in_state(n, t, last);
+        } else if (name == "abs") {
+            if (takes(n, name, 1, 1)) add(n, CodeOp::absolute, t, last, {.a = value(child(n, 0))});
         } else if (name == "isDefined") {
             if (takes(n, name, 1, 1)) is_defined(n, t, last);
         } else {
@@ -553,6 +605,7 @@ private:
         add(n, CodeOp::defined, t, last, {.a = value(child(n, 0))});
         const std::uint32_t end = position();
         const std::uint32_t to_end = last ? 0 : add(n, CodeOp::jump, t, false, {});
+        landed_at_ = position();
         code_.guards.push_back({.begin = begin, .end = end, .handler = position()});
         add(n, CodeOp::copy, t, last,
             {.a = constant(tree() ? Value::real(0) : Value::boolean(false))});
@@ -565,7 +618,10 @@ private:
     std::vector<EmitError>& errors_;
     std::size_t faults_before_;
     std::size_t first_constant_;
-    std::uint32_t next_temporary_ = 0;
+    std::uint32_t begin_;      // first instruction of the expression
+    bool read_again_ = false;  // the operands of this instruction are not used up
+    std::uint32_t landed_at_ = Id<CodeTag>::none;  // where a jump went last
+    std::uint32_t next_temporary_ = first_temporary;
 };
 
 }  // namespace

@@ -53,6 +53,9 @@ constexpr std::array<std::pair<std::uint16_t, CodeOp>, 6> assignments = {{
 }};
 // clang-format on
 
+// the functions that functions() does not list (core/functions.def)
+constexpr std::array<std::string_view, 4> own_operations = {"In", "abs", "elapsed", "isDefined"};
+
 // Parsing stops at the first fault: `failed_` is set, every rule returns at once, and what they
 // return is not used.
 class Parser {
@@ -400,7 +403,7 @@ std::optional<Syntax> parse_expression(std::string_view text, Dialect dialect, S
 }
 
 std::vector<std::string_view> function_names() {
-    std::vector<std::string_view> names = {"In", "elapsed", "isDefined"};
+    std::vector<std::string_view> names(own_operations.begin(), own_operations.end());
     for (const FunctionInfo& f : functions())
         names.push_back(f.name);
     std::sort(names.begin(), names.end());
@@ -408,7 +411,8 @@ std::vector<std::string_view> function_names() {
 }
 
 bool is_function(std::string_view name) {
-    if (name == "In" || name == "elapsed" || name == "isDefined") return true;
+    const auto& own = own_operations;
+    if (std::find(own.begin(), own.end(), name) != own.end()) return true;
     return std::any_of(functions().begin(), functions().end(),
                        [&](const FunctionInfo& f) { return f.name == name; });
 }

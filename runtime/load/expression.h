@@ -87,7 +87,7 @@ inline constexpr std::uint16_t max_syntax_height = 250;
 std::optional<Syntax> parse_expression(std::string_view text, Dialect dialect, SyntaxMode mode,
                                        ParseError& error);
 
-/// Whether `name(...)` is a call: one of functions() or elapsed, In, isDefined.
+/// Whether `name(...)` is a call: one of functions() or abs, elapsed, In, isDefined.
 bool is_function(std::string_view name);
 
 /// All names for which is_function() holds, sorted, for suggestions and the manual.
