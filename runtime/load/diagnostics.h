@@ -42,6 +42,7 @@ public:
     /// Names the next text; returns its index for Where::file. The first added is the main file.
     /// The text is copied: rendering shows its lines.
     std::uint32_t add_file(std::string name, std::string_view text);
+    std::uint32_t file_count() const { return static_cast<std::uint32_t>(files_.size()); }
 
     void error(std::string id, Where where, std::string message);
     /// An error that the generated schemas must find as well.

@@ -4,6 +4,7 @@
 #include "load/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -56,23 +57,32 @@ Decoded decode(std::string_view text) {
     return {c, length};
 }
 
-bool starts_name(char32_t c) {
+// which ASCII characters names are made of, as bits: names are most of what is read
+constexpr std::uint8_t name_start = 1;
+constexpr std::uint8_t name_part = 2;
+constexpr std::array<std::uint8_t, 0x80> ascii_names = [] {
+    std::array<std::uint8_t, 0x80> bits{};
+    for (std::size_t c = 0; c < bits.size(); ++c) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        const bool start = letter || c == '_' || c == ':';
+        const bool part = start || (c >= '0' && c <= '9') || c == '-' || c == '.';
+        bits[c] = static_cast<std::uint8_t>((start ? name_start : 0) | (part ? name_part : 0));
+    }
+    return bits;
+}();
+
+bool starts_name(char32_t c) {  // XML 1.0, production 4, above ASCII
     static constexpr struct {
         char32_t first, last;
-    } ranges[] = {// XML 1.0, production 4, above ASCII
-                  {0xC0, 0xD6},     {0xD8, 0xF6},     {0xF8, 0x2FF},    {0x370, 0x37D},
+    } ranges[] = {{0xC0, 0xD6},     {0xD8, 0xF6},     {0xF8, 0x2FF},    {0x370, 0x37D},
                   {0x37F, 0x1FFF},  {0x200C, 0x200D}, {0x2070, 0x218F}, {0x2C00, 0x2FEF},
                   {0x3001, 0xD7FF}, {0xF900, 0xFDCF}, {0xFDF0, 0xFFFD}, {0x10000, 0xEFFFF}};
-    if (c < 0x80) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':';
-    }
     return std::any_of(std::begin(ranges), std::end(ranges),
                        [c](const auto& r) { return c >= r.first && c <= r.last; });
 }
 
-bool continues_name(char32_t c) {  // production 4a
-    return starts_name(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == 0xB7 ||
-           (c >= 0x300 && c <= 0x36F) || c == 0x203F || c == 0x2040;
+bool continues_name(char32_t c) {  // production 4a, above ASCII
+    return starts_name(c) || c == 0xB7 || (c >= 0x300 && c <= 0x36F) || c == 0x203F || c == 0x2040;
 }
 
 /// The encoding that the first bytes give away as not UTF-8; empty if they do not.
@@ -136,18 +146,24 @@ bool is_xml_character(char32_t c) {  // XML 1.0, production 2
            (c >= 0xE000 && c <= 0xFFFD) || (c >= 0x10000 && c <= 0x10FFFF);
 }
 
-std::size_t find_forbidden(std::string_view text) {
+std::optional<Forbidden> find_forbidden(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const Decoded c = decode(text.substr(i));
-        if (!is_xml_character(c.character)) { return i; }
-        i += std::max<std::size_t>(c.length, 1);
+        if (!is_xml_character(c.character)) { return Forbidden{i, c.character}; }
+        i += c.length;
     }
-    return std::string_view::npos;
+    return std::nullopt;
 }
 
 std::size_t name_length(std::string_view text) {
     std::size_t length = 0;
     while (length < text.size()) {
+        const auto byte = static_cast<unsigned char>(text[length]);
+        if (byte < 0x80) {
+            if ((ascii_names[byte] & (length == 0 ? name_start : name_part)) == 0) { break; }
+            ++length;
+            continue;
+        }
         const Decoded c = decode(text.substr(length));
         if (c.length == 0) { break; }
         if (length == 0 ? !starts_name(c.character) : !continues_name(c.character)) { break; }

@@ -41,8 +41,13 @@ std::optional<std::size_t> check_text(std::string_view text, std::size_t most_by
 
 /// Whether XML 1.0 allows the character in a document.
 bool is_xml_character(char32_t c);
-/// Offset of the first character that XML forbids in `text`, which must be UTF-8; npos if none.
-std::size_t find_forbidden(std::string_view text);
+/// A character that XML forbids, and where.
+struct Forbidden {
+    std::size_t offset = 0;
+    char32_t character = 0;
+};
+/// The first one in `text`, which must be UTF-8.
+std::optional<Forbidden> find_forbidden(std::string_view text);
 /// Bytes at the start of `text` (UTF-8) that are a Name of XML 1.0; 0 if it begins with none.
 std::size_t name_length(std::string_view text);
 /// Whether all of `text` is a name.

@@ -29,10 +29,7 @@ public:
         const auto begin = check_text(text, limits_.bytes, Characters::xml, lines, diagnostics);
         if (!begin) { return std::nullopt; }
         at = *begin;
-        document_.strings.reserve(text.size());
-        const auto tags = static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
-        document_.elements.reserve(std::min<std::size_t>(tags, limits_.elements));
-
+        reserve();
         if (!take_declaration()) { return std::nullopt; }
         while (at < text.size()) {
             if (!read_item()) { return std::nullopt; }
@@ -49,6 +46,17 @@ private:
         std::size_t text_at = 0;   // offset of its first character
         std::size_t bindings = 0;  // of prefixes_ that were there before it
     };
+
+    /// Room for all there can be: "<a/>" is the shortest element, ` a=""` the shortest attribute.
+    void reserve() {
+        const auto count = [this](char c, std::size_t shortest) {
+            const auto found = static_cast<std::size_t>(std::count(text.begin(), text.end(), c));
+            return std::min(found, text.size() / shortest);
+        };
+        document_.strings.reserve(text.size());
+        document_.elements.reserve(std::min<std::size_t>(count('<', 4), limits_.elements));
+        document_.attributes.reserve(count('=', 5));
+    }
 
     // Content -------------------------------------------------------------------------------------
 
@@ -276,22 +284,27 @@ private:
         }
         const char quote = text[at];
         const std::size_t value_at = ++at;
-        const std::size_t end = text.find(quote, value_at);
-        const std::string_view raw = text.substr(value_at, end - value_at);
-        // a missing quote swallows what follows: the "<" of the next tag gives it away
-        if (const std::size_t less = raw.find('<'); less != std::string_view::npos) {
-            at += less;
-            return fail_syntax("\"<\" in the value of " + quoted(name) +
-                               ": write \"&lt;\", or close the quote before it");
+        std::size_t end = value_at;
+        bool plain = true;
+        for (; end < text.size() && text[end] != quote && text[end] != '<'; ++end) {
+            plain = plain && text[end] != '&' && text[end] != '\r';
         }
-        if (end == std::string_view::npos) {
+        if (end == text.size()) {
             at = value_at - 1;
             return fail_syntax("the value of " + quoted(name) + " has no closing quote");
         }
-        if (!decode(end)) { return false; }
+        // a missing quote swallows what follows: the "<" of the next tag gives it away
+        if (text[end] == '<') {
+            at = end;
+            return fail_syntax("\"<\" in the value of " + quoted(name) +
+                               ": write \"&lt;\", or close the quote before it");
+        }
+        if (!plain && !decode(end)) { return false; }
         at = end + 1;
         const Where where = lines.at(begin);
-        document_.add_attribute(e, name, decoded_, where, lines.at(value_at));
+        const std::string_view value =
+            plain ? text.substr(value_at, end - value_at) : std::string_view(decoded_);
+        document_.add_attribute(e, name, value, where, lines.at(value_at));
         if (name.starts_with("xmlns:")) { bind(name.substr(6)); }
         return true;
     }

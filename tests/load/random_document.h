@@ -35,6 +35,10 @@ std::string random_name(Random& random);
 void add_random_attributes(Document& document, ElementId e, Random& random);
 /// A tree of about 20 elements with attributes, docs and texts.
 Document random_document(Random& random);
+/// A tree file, or a machine, in its canonical form (json.h): every kind of child in its place,
+/// with random attributes, docs, texts and elements that the dialect does not know.
+Document random_tree_file(Random& random);
+Document random_machine(Random& random);
 /// The text with a few bytes changed, removed, repeated or moved: mostly no document any more.
 std::string mutated(std::string text, Random& random);
 
