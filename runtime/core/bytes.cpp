@@ -5,6 +5,14 @@
 namespace trellis {
 
 void ByteWriter::put(const Value& value) {
+    if (values_ == Values::hashed) {
+        put(value.hash());
+    } else {
+        put_whole(value);
+    }
+}
+
+void ByteWriter::put_whole(const Value& value) {
     put(value.kind());
     switch (value.kind()) {
     case Value::Kind::undefined:
@@ -33,9 +41,13 @@ void ByteWriter::put(const Value& value) {
 }
 
 void ByteReader::get(Value& value) {
+    get(value, 0);
+}
+
+void ByteReader::get(Value& value, std::uint32_t depth) {
     auto kind = Value::Kind::undefined;
     get(kind);
-    if (!ok_ || kind > Value::Kind::object) {
+    if (!ok_ || kind > Value::Kind::object || depth > Value::max_depth) {
         ok_ = false;
         return;
     }
@@ -72,7 +84,7 @@ void ByteReader::get(Value& value) {
         value.set_array();
         while (ok_ && count-- != 0) {
             Value element;
-            get(element);
+            get(element, depth + 1);
             ok_ = ok_ && value.append(std::move(element));
         }
         break;
@@ -82,8 +94,8 @@ void ByteReader::get(Value& value) {
         while (ok_ && count-- != 0) {
             Value key;
             Value member;
-            get(key);
-            get(member);
+            get(key, depth + 1);
+            get(member, depth + 1);
             ok_ = ok_ && key.is(Value::Kind::text) &&
                   value.set_member(key.as_text(), std::move(member));
         }

@@ -21,6 +21,10 @@ static_assert(std::endian::native == std::endian::little, "saved states are litt
 
 class ByteWriter {
 public:
+    /// What put(Value) writes: all of it, or only its hash, which is equal for equal values.
+    enum class Values : std::uint8_t { whole, hashed };
+    explicit ByteWriter(Values values = Values::whole) : values_(values) {}
+
     void put_bytes(const void* from, std::size_t size) {
         const auto* bytes = static_cast<const std::byte*>(from);
         bytes_.insert(bytes_.end(), bytes, bytes + size);
@@ -35,7 +39,10 @@ public:
     std::vector<std::byte> bytes() && { return std::move(bytes_); }
 
 private:
+    void put_whole(const Value& value);
+
     std::vector<std::byte> bytes_;
+    Values values_;
 };
 
 /// After the first failure every get() leaves its target alone and ok() is false.
@@ -70,6 +77,7 @@ public:
 
 private:
     void get(std::string& text);
+    void get(Value& value, std::uint32_t depth);
 
     std::span<const std::byte> bytes_;
     bool ok_ = true;

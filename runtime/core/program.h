@@ -54,6 +54,7 @@ struct Row {
     Op op = Op::tree;
     bool conditional = false;  ///< Program::conditions has an entry for it
     RowId parent;              ///< none for row 0
+    RowId scope;               ///< innermost tree, subtree or machine around it; none for row 0
     RowId end;                 ///< one past the last row of this subtree
     std::uint32_t arg = 0;     ///< meaning depends on op; see the accessors of Program
 

@@ -35,6 +35,7 @@ void put(ByteWriter& out, const std::vector<Event>& events, std::uint32_t next) 
     for (std::size_t i = next; i < events.size(); ++i) {
         const Event& event = events[i];
         put(out, event.name);
+        out.put(event.unknown);
         out.put(event.type);
         out.put(event.data);
         put(out, event.invoke);
@@ -48,12 +49,85 @@ void get(ByteReader& in, std::vector<Event>& events) {
     while (in.ok() && count-- != 0) {
         Event event;
         get(in, event.name);
+        in.get(event.unknown);
         in.get(event.type);
         in.get(event.data);
         get(in, event.invoke);
         in.get(event.activation);
         events.push_back(std::move(event));
     }
+}
+
+void write(ByteWriter& out, const Program& program, const State& state) {
+    out.put(state.tick);
+    out.put(state.started);
+    out.put(state.woken);
+    put(out, state.last_leaf);
+    for (const Status status : state.status) {
+        out.put(status);
+    }
+    for (const std::uint32_t word : state.memory) {
+        out.put(word);
+    }
+    for (const Value& value : state.slots) {
+        out.put(value);
+    }
+    for (const EntryType type : state.entries) {
+        out.put(type);
+    }
+    for_each_member(
+        program, [&](std::size_t at, std::size_t size) { out.put_bytes(&state.leaves[at], size); });
+    const std::vector<std::uint64_t> words = state.random.words();
+    out.put(static_cast<std::uint32_t>(words.size()));
+    for (const std::uint64_t word : words) {
+        out.put(word);
+    }
+    const Session& session = state.session;
+    put(out, session.atom);
+    out.put(static_cast<std::uint32_t>(session.invokes.size()));
+    for (const RowId n : session.invokes) {
+        put(out, n);
+    }
+    put(out, session.internal, session.internal_next);
+    put(out, session.external, session.external_next);
+    out.put(session.clock);
+    put(out, session.final);
+    out.put(state.fault.kind);
+    put(out, state.fault.row);
+    out.put(Value::text(state.fault.message));
+}
+
+/// Whether every number in a restored state names something of the program.
+bool is_possible(const Program& program, const State& state) {
+    const auto row = [&](RowId n) { return !n || n.index < program.rows.size(); };
+    const auto state_row = [&](RowId n) {
+        return !n || (row(n) && op_table()[program.at(n).op].group == OpGroup::state);
+    };
+    const auto invoke_row = [&](RowId n) { return row(n) && n && program.at(n).op == Op::invoke; };
+    const auto event = [&](const Event& e) {
+        return e.name.index < program.events.size() && e.type <= Event::Type::platform &&
+               (!e.invoke || invoke_row(e.invoke));
+    };
+    // a sequence remembers one of its children
+    for (std::uint32_t i = 0; i < program.rows.size(); ++i) {
+        const Op op = program.rows[i].op;
+        if (op != Op::sequence && op != Op::fallback) { continue; }
+        const RowId child{state.memory[i] & 0x7FFFFFFF};
+        if (child.index != 0 && (!row(child) || program.at(child).parent != RowId{i})) {
+            return false;
+        }
+    }
+    const Session& session = state.session;
+    return std::all_of(state.status.begin(), state.status.end(),
+                       [](Status s) { return s <= Status::skipped; }) &&
+           std::all_of(state.entries.begin(), state.entries.end(),
+                       [](EntryType t) { return t <= EntryType::text; }) &&
+           std::all_of(session.invokes.begin(), session.invokes.end(), invoke_row) &&
+           std::all_of(session.internal.begin(), session.internal.end(), event) &&
+           std::all_of(session.external.begin(), session.external.end(), event) &&
+           row(state.last_leaf) && row(state.fault.row) && state_row(session.atom) &&
+           state_row(session.final) && state.fault.kind <= Fault::Kind::draws &&
+           (!program.is_machine() || !state.started || session.atom);
 }
 
 /// Events not yet taken are what counts of a queue.
@@ -96,42 +170,7 @@ bool same(const Program& program, const State& a, const State& b) {
 
 std::vector<std::byte> save(const Program& program, const State& state) {
     ByteWriter out;
-    out.put(state.tick);
-    out.put(state.started);
-    out.put(state.woken);
-    put(out, state.last_leaf);
-    for (const Status status : state.status) {
-        out.put(status);
-    }
-    for (const std::uint32_t word : state.memory) {
-        out.put(word);
-    }
-    for (const Value& value : state.slots) {
-        out.put(value);
-    }
-    for (const EntryType type : state.entries) {
-        out.put(type);
-    }
-    for_each_member(
-        program, [&](std::size_t at, std::size_t size) { out.put_bytes(&state.leaves[at], size); });
-    const std::vector<std::uint64_t> words = state.random.words();
-    out.put(static_cast<std::uint32_t>(words.size()));
-    for (const std::uint64_t word : words) {
-        out.put(word);
-    }
-    const Session& session = state.session;
-    put(out, session.atom);
-    out.put(static_cast<std::uint32_t>(session.invokes.size()));
-    for (const RowId n : session.invokes) {
-        put(out, n);
-    }
-    put(out, session.internal, session.internal_next);
-    put(out, session.external, session.external_next);
-    out.put(session.clock);
-    put(out, session.final);
-    out.put(state.fault.kind);
-    put(out, state.fault.row);
-    out.put(Value::text(state.fault.message));
+    write(out, program, state);
     return std::move(out).bytes();
 }
 
@@ -179,13 +218,17 @@ std::optional<State> restore(const Program& program, std::span<const std::byte> 
     in.get(message);
     if (!in.ok() || !in.at_end() || !message.is(Value::Kind::text)) { return {}; }
     state.fault.message = message.as_text();
+    if (!is_possible(program, state)) { return {}; }
     return state;
 }
 
-// FNV-1a over what save() writes: two states that are the same have the same bytes.
+// FNV-1a over what save() writes, with hashes in the place of values: members of equal objects may
+// come in any order.
 std::uint64_t hash(const Program& program, const State& state) {
     std::uint64_t h = 0xCBF29CE484222325;
-    for (const std::byte byte : save(program, state)) {
+    ByteWriter out(ByteWriter::Values::hashed);
+    write(out, program, state);
+    for (const std::byte byte : std::move(out).bytes()) {
         h = (h ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3;
     }
     return h;

@@ -42,6 +42,7 @@ struct Event {
     enum class Type : std::uint8_t { internal, external, platform };
 
     EventId name = {};
+    Value unknown = {};  ///< the whole name as text, if `name` is only its longest known prefix
     Type type = Type::internal;
     Value data = {};
     RowId invoke = {};             ///< done.invoke: the row that ended; else none
@@ -57,6 +58,7 @@ struct Session {
     std::vector<Event> internal, external;
     std::uint32_t internal_next = 0, external_next = 0;  ///< first event not yet taken
     std::uint32_t clock = 0;  ///< cycles in which activities ran, the current one once they begin
+    EventId bound;            ///< what `_event` is now, if it has nothing but a name; else none
     RowId final;              ///< the top-level final state that ended it; else none
 
     friend bool operator==(const Session&, const Session&) = default;
@@ -71,6 +73,8 @@ struct State {
     std::vector<std::uint32_t> memory;  ///< by row: see exec/stepper.h
     std::vector<Value> slots;           ///< by slot
     std::vector<EntryType> entries;     ///< by slot
+    /// Derived, not part of what a state is: the row at which the next tick of a tree may begin.
+    RowId resume;
     /// Scratch, not part of what a state is: temporaries of expressions, and by live input the
     /// value it had in the last tick.
     std::vector<Value> temporaries, inputs;

@@ -74,7 +74,7 @@ void Stepper::finish(RowId n) {
     const RowId parent = rows_[n.index].parent;
     if (rows_[parent.index].op == Op::machine) {
         s_.session.final = n;
-    } else {
+    } else if (p_.state(parent).done) {
         s_.session.internal.push_back(
             {.name = p_.state(parent).done, .type = Event::Type::platform});
     }

@@ -49,7 +49,24 @@ Status Stepper::call(RowId n, const LeafCall& leaf, std::byte* self) {
 void Stepper::halt_leaf(RowId n) {
     const LeafCall& leaf = p_.call(n);
     trace({.kind = TraceEvent::Kind::halt, .row = n});
-    if (leaf.type->halt != nullptr) { leaf.type->halt(s_.leaves.data() + leaf.offset, host_); }
+    if (leaf.type->halt == nullptr) { return; }
+    std::byte* self = s_.leaves.data() + leaf.offset;
+    if (leaf.input_count != 0) { point_inputs(leaf, self); }
+    leaf.type->halt(self, host_);
+}
+
+// Lets text and any-typed members point into this state again: it may have been copied or restored
+// since the last tick.
+void Stepper::point_inputs(const LeafCall& leaf, std::byte* self) {
+    for (std::uint32_t i = leaf.first_input; i < leaf.first_input + leaf.input_count; ++i) {
+        const Port& port = leaf.type->ports[p_.live_inputs[i].port];
+        if (port.type != PortType::text && port.type != PortType::any) { continue; }
+        Value& value = s_.inputs[i];
+        if (value.is(Value::Kind::undefined)) {
+            static_cast<void>(evaluate(p_.code, p_.live_inputs[i].code, context(), value));
+        }
+        static_cast<void>(store_input(port, value, self));
+    }
 }
 
 bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
@@ -58,7 +75,7 @@ bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
         const Port& port = leaf.type->ports[input.port];
         if (port.type == PortType::real && port.present == Port::always) {
             double value = 0.0;
-            if (evaluate_real(p_.code, input.code, context_, value)) {
+            if (evaluate_real(p_.code, input.code, context(), value)) {
                 std::memcpy(self + port.offset, &value, sizeof value);
                 continue;
             }
@@ -75,13 +92,20 @@ bool Stepper::read_input(RowId n, std::uint32_t input, std::byte* self) {
     const LiveInput& live = p_.live_inputs[input];
     const Port& port = p_.call(n).type->ports[live.port];
     Value& value = s_.inputs[input];
-    const bool evaluated = evaluate(p_.code, live.code, context_, value);
+    const bool evaluated = evaluate(p_.code, live.code, context(), value);
     const bool stored = evaluated && store_input(port, value, self);
     if (port.present != Port::always) {
-        std::memcpy(self + port.present, &stored, sizeof stored);
+        // for an in/out port the flag says what the leaf assigns
+        const bool present = stored && port.direction == PortDirection::input;
+        std::memcpy(self + port.present, &present, sizeof present);
         return true;
     }
     if (stored) { return true; }
+    // a <param> that fails is left out (SCXML 5.7)
+    if (rows_[rows_[n.index].parent.index].op == Op::invoke) {
+        raise_error(n);
+        return true;
+    }
     if (port.type == PortType::any) {
         const Value* unset = nullptr;
         std::memcpy(self + port.offset, &unset, sizeof unset);

@@ -21,15 +21,19 @@ void Stepper::start_machine() {
 Status Stepper::tick_machine(RowId m) {
     Session& session = s_.session;
     if (!s_.started) { start_machine(); }
-    context_.cycle = session.clock;
+    if (!at_rest()) { settle(); }
 
     // what was waiting comes before this cycle's tick, what arises now comes after it
-    std::size_t waiting = session.external.size() - session.external_next;
-    while (waiting-- != 0 && running()) {
+    for (std::size_t waiting = session.external.size() - session.external_next;
+         waiting != 0 && running(); --waiting) {
         take_next_external();
     }
     if (p_.tick_event && running()) {
-        take_external({.name = p_.tick_event, .type = Event::Type::external});
+        if (trace_ != nullptr || p_.event_slot) {
+            bind({.name = p_.tick_event, .type = Event::Type::external});
+        }
+        microstep(p_.tick_event);
+        if (!at_rest()) { settle(); }
     }
     while (session.external_next != session.external.size() && running()) {
         take_next_external();
@@ -37,11 +41,13 @@ Status Stepper::tick_machine(RowId m) {
     if (s_.fault) { return Status::idle; }
     if (session.final) {
         leave_all();
+        store(m, Status::idle);
         return p_.name(session.final) == "failure" ? Status::failure : Status::success;
     }
-    context_.cycle = ++session.clock;
-    tick_invokes();
-    return s_.fault ? Status::idle : (store(m, Status::running), Status::running);
+    ++session.clock;
+    if (context_) { context_->cycle = session.clock; }
+    if (!session.invokes.empty()) { tick_invokes(); }
+    return s_.fault ? Status::idle : Status::running;
 }
 
 void Stepper::take_next_external() {
@@ -53,19 +59,22 @@ void Stepper::take_next_external() {
     }
     // the end of an activity whose state was left and entered again is nobody's business
     if (event.invoke && event.activation != memory_[event.invoke.index]) { return; }
-    take_external(event);
-}
-
-void Stepper::take_external(const Event& event) {
     bind(event);
     microstep(event.name);
     settle();
 }
 
-// Eventless transitions and internal events, until neither is left: the rest of a macrostep.
+// Eventless transitions and internal events, until neither is left: the rest of a macrostep. Each
+// round costs budget, because an eventless transition whose guard fails raises errors for ever.
 void Stepper::settle() {
     Session& session = s_.session;
     while (running()) {
+        if (--budget_ == 0) {
+            fault(Fault::Kind::livelock, session.atom,
+                  "this machine does not come to rest: too many events and transitions in one "
+                  "cycle");
+            return;
+        }
         if (p_.has_eventless && microstep({})) { continue; }
         if (session.internal_next == session.internal.size()) { break; }
         const Event event = std::move(session.internal[session.internal_next++]);
@@ -78,14 +87,22 @@ void Stepper::settle() {
     }
 }
 
-// Makes an event what `_event` means until the next one (SCXML 5.10.1).
+// Makes an event what `_event` means until the next one (SCXML 5.10.1). One like the last is there
+// already, so that ticks do not allocate.
 void Stepper::bind(const Event& event) {
     trace({.kind = TraceEvent::Kind::event, .row = {0}, .event = event.name});
     if (!p_.event_slot) { return; }
+    const bool plain = event.data.is(Value::Kind::undefined) && !event.invoke &&
+                       event.unknown.is(Value::Kind::undefined) && event.name == p_.tick_event;
+    if (plain && s_.session.bound == event.name) { return; }
+    s_.session.bound = plain ? event.name : EventId();
+
     static constexpr std::string_view types[] = {"internal", "external", "platform"};
     Value& bound = s_.slots[p_.event_slot.index];
-    if (!bound.is(Value::Kind::object)) { bound.set_object(); }
-    bound.set_member("name", Value::text(p_.events[event.name.index].text));
+    bound.set_object();
+    bound.set_member("name", event.unknown.is(Value::Kind::text)
+                                 ? event.unknown
+                                 : Value::text(p_.events[event.name.index].text));
     bound.set_member("type", Value::text(types[static_cast<std::size_t>(event.type)]));
     for (const std::string_view unset : {"sendid", "origin", "origintype"}) {
         bound.set_member(unset, {});
@@ -98,15 +115,10 @@ void Stepper::bind(const Event& event) {
 
 // Selection ---------------------------------------------------------------------------------------
 
-// Takes the transitions that the event (none: no event) enables; false if there are none.
+// Takes the transition that the event (none: no event) enables; false if there is none.
 bool Stepper::microstep(EventId event) {
     const TransitionId chosen = enabled(s_.session.atom, event);
     if (!chosen) { return false; }
-    if (budget_-- == 0) {
-        fault(Fault::Kind::livelock, s_.session.atom,
-              "this machine does not come to rest: too many transitions in one cycle");
-        return false;
-    }
     take(p_.transitions[chosen.index], chosen);
     return true;
 }
@@ -115,19 +127,21 @@ bool Stepper::microstep(EventId event) {
 TransitionId Stepper::enabled(RowId atom, EventId event) {
     for (RowId n = atom; n; n = rows_[n.index].parent) {
         const StateInfo& state = p_.states[rows_[n.index].arg];
-        for (std::uint32_t i = 0; i < state.transition_count; ++i) {
-            const TransitionId id{state.first_transition + i};
-            if (is_enabled(p_.transitions[id.index], event)) { return id; }
+        const std::uint32_t end = state.first_transition + state.transition_count;
+        for (std::uint32_t i = state.first_transition; i != end; ++i) {
+            const Transition& transition = p_.transitions[i];
+            const bool named = event ? is_named(transition, event) : transition.event_count == 0;
+            if (named && (!transition.guard || holds(transition.source, transition.guard))) {
+                return {i};
+            }
         }
     }
     return {};
 }
 
-bool Stepper::is_enabled(const Transition& transition, EventId event) {
-    if (event ? !is_named(transition, event) : transition.event_count != 0) { return false; }
-    if (!transition.guard) { return true; }
-    const Truth truth = evaluate_condition(p_.code, transition.guard, context_);
-    if (truth == Truth::failed) { raise_error(transition.source); }
+bool Stepper::holds(RowId n, CodeId code) {
+    const Truth truth = evaluate_condition(p_.code, code, context());
+    if (truth == Truth::failed) { raise_error(n); }
     return truth == Truth::yes;
 }
 
@@ -161,39 +175,43 @@ void Stepper::run_block(BlockId block) {
         switch (action.kind) {
         case Action::Kind::end: return;
         case Action::Kind::run:
-            if (!execute(p_.code, action.code, context_)) { return raise_error({0}); }
+            if (!execute(p_.code, action.code, context())) { return raise_error({0}); }
             break;
         case Action::Kind::assign:
-            if (!evaluate(p_.code, action.code, context_, s_.temporaries[0]) ||
-                !execute(p_.code, action.store, context_)) {
+            if (!evaluate(p_.code, action.code, context(), s_.temporaries[0]) ||
+                !execute(p_.code, action.store, context())) {
                 return raise_error({0});
             }
             break;
         case Action::Kind::initialise:
-            if (s_.slots[action.slot.index].is(Value::Kind::undefined) &&
-                !evaluate(p_.code, action.code, context_, s_.slots[action.slot.index])) {
-                s_.slots[action.slot.index].set_undefined();
-                return raise_error({0});
-            }
+            if (!initialise(action)) { return raise_error({0}); }
             break;
         case Action::Kind::raise: s_.session.internal.push_back({.name = action.event}); break;
         case Action::Kind::log:
             if (!log(action)) { return raise_error({0}); }
             break;
-        case Action::Kind::unless: {
-            const Truth truth = evaluate_condition(p_.code, action.code, context_);
-            if (truth == Truth::failed) { raise_error({0}); }
-            if (truth != Truth::yes) { i = action.go_to.index - 1; }
+        case Action::Kind::unless:
+            if (!holds({0}, action.code)) { i = action.go_to.index - 1; }
             break;
-        }
         case Action::Kind::jump: i = action.go_to.index - 1; break;
         }
     }
 }
 
+// Gives a variable its first value, once, unless the host has given it one (SCXML 5.3).
+bool Stepper::initialise(const Action& action) {
+    EntryType& entry = s_.entries[action.slot.index];
+    if (entry != EntryType::missing) { return true; }
+    entry = EntryType::any;
+    Value& variable = s_.slots[action.slot.index];
+    if (evaluate(p_.code, action.code, context(), variable)) { return true; }
+    variable.set_undefined();
+    return false;
+}
+
 bool Stepper::log(const Action& action) {
     Value value;
-    if (action.code && !evaluate(p_.code, action.code, context_, value)) { return false; }
+    if (action.code && !evaluate(p_.code, action.code, context(), value)) { return false; }
     if (trace_ == nullptr) { return true; }
     std::string text = p_.labels[action.label];
     if (action.code) {
@@ -220,12 +238,13 @@ void Stepper::tick_invokes() {
     for (const RowId n : running) {
         const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
         if (invoke.param_count != 0) { pass_params(invoke); }
-        const Status status = tick_only_child(n);
-        if (s_.fault) { return; }
+        const Status status = tick(first_child(n));
+        if (status == Status::idle) { return; }
         if (!is_done(status)) {
             running[kept++] = n;
             continue;
         }
+        reset(first_child(n));
         store(n, status);
         Event event{.name = status == Status::success ? invoke.done_success : invoke.done_failure,
                     .type = Event::Type::external,
@@ -243,7 +262,7 @@ void Stepper::tick_invokes() {
 void Stepper::pass_params(const InvokeInfo& invoke) {
     for (std::uint32_t i = 0; i < invoke.param_count; ++i) {
         const InvokeParam& param = p_.params[invoke.first_param + i];
-        if (evaluate(p_.code, param.code, context_, s_.slots[param.slot.index])) {
+        if (evaluate(p_.code, param.code, context(), s_.slots[param.slot.index])) {
             s_.entries[param.slot.index] = EntryType::any;
         } else {
             raise_error({0});

@@ -49,8 +49,11 @@ void send(const Program& program, State& state, std::string_view event, Value da
         }
         if (at >= program.events[name.index].end) { break; }
     }
-    state.session.external.push_back(
-        {.name = name, .type = Event::Type::external, .data = std::move(data)});
+    const bool known = program.events[name.index].text == event;
+    state.session.external.push_back({.name = name,
+                                      .unknown = known ? Value() : Value::text(event),
+                                      .type = Event::Type::external,
+                                      .data = std::move(data)});
 }
 
 std::string describe_fault(const Program& program, const State& state) {

@@ -11,46 +11,101 @@
 
 namespace trellis {
 
-Stepper::Stepper(const Program& program, State& state, HostRef host, const StepOptions& options)
-    : p_(program), s_(state), rows_(program.rows.data()), status_(state.status.data()),
-      memory_(state.memory.data()), host_(host.object), trace_(options.trace),
-      while_woken_(options.while_woken),
-      budget_(options.budget != 0 ? options.budget
-                                  : 100'000 + 64 * static_cast<std::uint32_t>(program.rows.size())),
-      tick_{state.tick, options.dt, &state.random} {
-    context_.use(program.code, state.slots.data(), state.temporaries.data());
-    context_.entry_types = reinterpret_cast<std::uint8_t*>(state.entries.data());
-    context_.row_memory = memory_;
-    context_.cycle = state.session.clock;
-    context_.dt = options.dt;
-    context_.host = static_cast<const std::byte*>(host.object);
-    context_.random = &state.random;
-    context_.in_state = [](const void* state_of, RowId row) {
-        return static_cast<const State*>(state_of)->status[row.index] == Status::running;
+void Stepper::fill_context() {
+    EvalContext& context = context_.emplace();
+    context.use(p_.code, s_.slots.data(), s_.temporaries.data());
+    context.entry_types = reinterpret_cast<std::uint8_t*>(s_.entries.data());
+    context.row_memory = memory_;
+    context.cycle = s_.session.clock;
+    context.dt = tick_.dt;
+    context.host = static_cast<const std::byte*>(host_);
+    context.random = &s_.random;
+    context.world = this;
+    context.in_state = [](const void* stepper, RowId n) {
+        return static_cast<const Stepper*>(stepper)->status_[n.index] == Status::running;
     };
-    context_.world = &state;
+    context.state_named = [](const void* stepper, std::string_view name) {
+        const Program& program = static_cast<const Stepper*>(stepper)->p_;
+        for (std::uint32_t i = 1; i < program.rows.size(); ++i) {
+            const bool is_state = op_table()[program.rows[i].op].group == OpGroup::state;
+            if (is_state && program.names[i] == name) { return RowId{i}; }
+        }
+        return RowId();
+    };
 }
 
 Status Stepper::step_root() {
     in_step_ = true;
     const RowId root{0};
-    Status status = tick(root);
+    const Status status = rows_[0].op == Op::machine ? tick_machine(root) : step_tree(root);
+    if (s_.random.exhausted()) {
+        return fault(Fault::Kind::draws, s_.last_leaf, "there are no random numbers left");
+    }
+    if (status != Status::idle) { ++s_.tick; }
+    return status;
+}
+
+Status Stepper::step_tree(RowId root) {
+    Status status = s_.resume ? tick_resumed(root) : tick(root);
     while (while_woken_ && status == Status::running && s_.woken) {
         s_.woken = false;
         status = tick(root);
     }
-    if (is_done(status) && !p_.is_machine()) { store(root, Status::idle); }
-    if (s_.random.exhausted() && !s_.fault) {
-        return fault(Fault::Kind::draws, s_.last_leaf, "there are no random numbers left");
-    }
-    ++s_.tick;
+    if (is_done(status)) { store(root, Status::idle); }
+    if (status == Status::running && !s_.resume) { s_.resume = resumable(root); }
     return status;
+}
+
+// A tick that only leads back to where the last one stopped can begin there: on the way down,
+// running nodes with memory do nothing but tick the child they remember. When what is there ends,
+// the tick is done again from the root, with the result known.
+Status Stepper::tick_resumed(RowId root) {
+    const RowId n = s_.resume;
+    count_scopes_around(n, 1);
+    const Status status = tick(n);
+    if (status == Status::running || status == Status::idle) { return status; }
+    count_scopes_around(n, -1U);
+    s_.resume = {};
+    ended_ = n;
+    ended_status_ = status;
+    return tick(root);
+}
+
+// The first row on the running path that does more than tick the child it remembers; none if that
+// is the root, or does not run itself.
+RowId Stepper::resumable(RowId root) const {
+    RowId n = root;
+    for (;;) {
+        const Row& row = rows_[n.index];
+        if (status_[n.index] != Status::running) { return {}; }
+        if (row.conditional) { break; }
+        if (row.op == Op::sequence || row.op == Op::fallback) {
+            const std::uint32_t child = memory_[n.index] & ~not_all_skipped;
+            n = child != 0 ? RowId{child} : first_child(n);
+        } else if (row.op == Op::inverter || row.op == Op::force_success ||
+                   row.op == Op::force_failure || row.op == Op::subtree || row.op == Op::tree ||
+                   ((row.op == Op::repeat || row.op == Op::retry) && is_constant(row))) {
+            n = first_child(n);
+        } else {
+            break;
+        }
+    }
+    return n == root ? RowId() : n;
+}
+
+bool Stepper::is_constant(const Row& loop) const {
+    const Instruction& port = p_.code.instructions[p_.ports[loop.arg].index];
+    return port.op == CodeOp::copy && port.last && port.a.space() == Space::constant;
 }
 
 Status Stepper::tick(RowId n) {
     const Row& row = rows_[n.index];
-    if (budget_-- == 0) {
+    if (--budget_ == 0) {
         return fault(Fault::Kind::budget, n, "this tick does not end: too many nodes were ticked");
+    }
+    if (n == ended_) {
+        ended_ = {};
+        return ended_status_;
     }
     if (row.conditional) { return tick_conditional(n, row); }
     const Status status = dispatch(n, row);
@@ -148,21 +203,31 @@ void Stepper::reset_children(RowId n) {
     }
 }
 
+// Halts what runs; then, in a tree, every node once more as haltTree() of BehaviorTree.CPP does:
+// its _onHalted scripts run everywhere (TREES §1.4).
 void Stepper::halt_root() {
-    const RowId root{0};
-    halt_node(root);
+    s_.resume = {};
+    halt_node({0});
+    if (p_.is_machine()) {
+        s_.session = {};
+        s_.started = false;
+        return;
+    }
+    for (std::uint32_t i = 0; i < p_.rows.size(); ++i) {
+        halt_node({i});
+    }
 }
 
 // Expressions -------------------------------------------------------------------------------------
 
 bool Stepper::run_script(RowId n, CodeId code) {
-    if (execute(p_.code, code, context_)) { return true; }
+    if (execute(p_.code, code, context())) { return true; }
     fault(Fault::Kind::expression, n, evaluation_error());
     return false;
 }
 
 bool Stepper::condition(RowId n, CodeId code, bool& holds) {
-    const Truth truth = evaluate_condition(p_.code, code, context_);
+    const Truth truth = evaluate_condition(p_.code, code, context());
     holds = truth == Truth::yes;
     if (truth != Truth::failed) { return true; }
     fault(Fault::Kind::expression, n, evaluation_error());
@@ -174,12 +239,12 @@ std::string Stepper::evaluation_error() const {
     for (const Slot& slot : p_.slots) {
         names.push_back(slot.name);
     }
-    return trellis::describe(context_.error, p_.code, names);
+    return trellis::describe(context_->error, p_.code, names);
 }
 
 bool Stepper::integer_port(RowId n, CodeId code, std::int64_t& result) {
     Value value;
-    if (!evaluate(p_.code, code, context_, value)) {
+    if (!evaluate(p_.code, code, context(), value)) {
         fault(Fault::Kind::expression, n, evaluation_error());
         return false;
     }

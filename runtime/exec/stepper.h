@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,14 @@ namespace trellis {
 
 class Stepper {
 public:
-    Stepper(const Program& program, State& state, HostRef host, const StepOptions& options);
+    Stepper(const Program& program, State& state, HostRef host, const StepOptions& options)
+        : p_(program), s_(state), rows_(program.rows.data()), status_(state.status.data()),
+          memory_(state.memory.data()), host_(host.object), trace_(options.trace),
+          while_woken_(options.while_woken),
+          budget_(options.budget != 0
+                      ? options.budget
+                      : 100'000 + 64 * static_cast<std::uint32_t>(program.rows.size())),
+          tick_{state.tick, options.dt, &state.random} {}
 
     /// One tick of the whole program: see step().
     Status step_root();
@@ -42,6 +50,18 @@ public:
     void halt_node(RowId n);
 
 private:
+    /// Top bit of a sequence's memory: a child has completed without being skipped.
+    static constexpr std::uint32_t not_all_skipped = 0x80000000;
+
+    Status step_tree(RowId root);
+    Status tick_resumed(RowId root);
+    void count_scopes_around(RowId n, std::uint32_t ticks) {
+        for (RowId up = rows_[n.index].scope; up; up = rows_[up.index].scope) {
+            memory_[up.index] += ticks;
+        }
+    }
+    RowId resumable(RowId root) const;
+    bool is_constant(const Row& loop) const;
     Status tick_conditional(RowId n, const Row& row);
     Status dispatch(RowId n, const Row& row);
     Status pre_conditions(RowId n, const Conditions& conditions);
@@ -80,6 +100,7 @@ private:
     Status tick_at_once(RowId n, const Row& row);
     Status call(RowId n, const LeafCall& call, std::byte* self);
     void halt_leaf(RowId n);
+    void point_inputs(const LeafCall& call, std::byte* self);
     bool read_inputs(RowId n, const LeafCall& call, std::byte* self);
     bool read_input(RowId n, std::uint32_t input, std::byte* self);
     bool write_outputs(RowId n, const LeafCall& call, std::byte* self);
@@ -88,22 +109,25 @@ private:
 
     Status tick_machine(RowId m);
     void take_next_external();
-    void take_external(const Event& event);
     void settle();
     void bind(const Event& event);
     bool microstep(EventId event);
     TransitionId enabled(RowId atom, EventId event);
-    bool is_enabled(const Transition& transition, EventId event);
     bool is_named(const Transition& transition, EventId event) const;
     void take(const Transition& transition, TransitionId id);
     void run_blocks(std::uint32_t first, std::uint32_t count);
     void run_block(BlockId block);
+    bool initialise(const Action& action);
     bool log(const Action& action);
     void raise_error(RowId n);
     void tick_invokes();
     void pass_params(const InvokeInfo& invoke);
     /// Whether the machine has neither reached its end nor failed.
     bool running() const { return !s_.session.final && !s_.fault; }
+    /// Whether nothing is left to do before the next external event.
+    bool at_rest() const {
+        return !p_.has_eventless && s_.session.internal_next == s_.session.internal.size();
+    }
 
     // The active states: configuration.cpp -------------------------------------------------------
 
@@ -122,6 +146,14 @@ private:
 
     /// The integer that port `port` of a built-in node holds now; false after a fault.
     bool integer_port(RowId n, CodeId code, std::int64_t& result);
+    /// Evaluates a condition of a machine: one that fails raises error.execution and is false.
+    bool holds(RowId n, CodeId code);
+    /// What expressions see. Filled when a step evaluates its first expression.
+    EvalContext& context() {
+        if (!context_) { fill_context(); }
+        return *context_;
+    }
+    void fill_context();
     Status fault(Fault::Kind kind, RowId n, std::string message);
     bool run_script(RowId n, CodeId code);
     bool condition(RowId n, CodeId code, bool& holds);
@@ -151,9 +183,11 @@ private:
     TraceSink* trace_;
     bool while_woken_;
     std::uint32_t budget_;  ///< rows that may still be ticked
-    bool in_step_ = false;  ///< else in start() or halt()
+    RowId ended_;           ///< row that was ticked already; the next tick of it returns
+    Status ended_status_ = Status::idle;  ///< … this
+    bool in_step_ = false;                ///< else in start() or halt()
     Tick tick_;
-    EvalContext context_;
+    std::optional<EvalContext> context_;
 };
 
 }  // namespace trellis

@@ -5,13 +5,6 @@
 
 namespace trellis {
 
-namespace {
-
-/// Top bit of a sequence's memory: a child has completed without being skipped.
-constexpr std::uint32_t not_all_skipped = 0x80000000;
-
-}  // namespace
-
 Status Stepper::dispatch(RowId n, const Row& row) {
     using enum Status;
     switch (row.op) {

@@ -46,7 +46,15 @@ RowId Builder::open(Op op, RowId parent, std::string_view name, Where where, std
         full_ = true;
         return {};
     }
-    program.rows.push_back({.op = op, .parent = parent, .end = {n.index + 1}, .arg = arg});
+    RowId scope = parent;
+    if (parent) {
+        const Row& around = program.at(parent);
+        const bool is_scope =
+            around.op == Op::tree || around.op == Op::subtree || around.op == Op::machine;
+        scope = is_scope ? parent : around.scope;
+    }
+    program.rows.push_back(
+        {.op = op, .parent = parent, .scope = scope, .end = {n.index + 1}, .arg = arg});
     program.names.emplace_back(name);
     program.origins.push_back({where.file, where.line, where.column});
     depths_.push_back(depth);
@@ -143,6 +151,7 @@ CodeId Builder::store(const ReadFile& file, const Attribute& attribute, Names& n
 
 CodeId Builder::constant(Value value, Dialect dialect) {
     CodeTable& code = program.code;
+    if (code.constants.empty()) { code.constants.emplace_back(); }  // see no_operand
     const Operand operand(Space::constant, static_cast<std::uint32_t>(code.constants.size()));
     code.constants.push_back(std::move(value));
     return add_copy(operand, dialect);

@@ -84,6 +84,11 @@ std::optional<Program> load(const Source& source, const Registry& registry,
             compile_tree({source, std::move(*document)}, builder);
         }
         give(builder);
+        for (const auto& [name, number] : registry.enumerators()) {
+            builder.program.code.enums.push_back({name, static_cast<double>(number)});
+        }
+        std::sort(builder.program.code.enums.begin(), builder.program.code.enums.end(),
+                  [](const EnumValue& a, const EnumValue& b) { return a.name < b.name; });
         program = std::move(builder.program);
     }
     diagnostics.sort();

@@ -55,7 +55,9 @@ void MachineCompiler::collect_events(ElementId root) {
                 names_.add(word);
             }
         } else if (name == "state") {
-            names_.add("done.state." + std::string(document().value(e, "id")));
+            if (const Attribute* id = document().find(e, "id"); id != nullptr) {
+                names_.add("done.state." + std::string(document().string(id->value)));
+            }
             std::uint32_t number = 0;
             for (const ElementId c : document().children(e)) {
                 if (document().name(c) != "invoke") { continue; }
@@ -197,7 +199,7 @@ void MachineCompiler::fill_state(RowId n) {
     state.exit_count = static_cast<std::uint32_t>(onexit.size());
 
     state.initial = initial_of(n);
-    if (program.at(n).op == Op::state) {
+    if (program.at(n).op == Op::state && document().find(e, "id") != nullptr) {
         state.done = event("done.state." + program.names[n.index]);
     }
     for (const RowId c : children(program, n)) {
@@ -236,6 +238,7 @@ bool MachineCompiler::add_targets(const Attribute& attribute, RowId inside, Tran
     Program& program = builder_.program;
     Diagnostics& diagnostics = builder_.diagnostics();
     t.first_target = static_cast<std::uint32_t>(program.targets.size());
+    std::vector<RowId> targets;
     for (const std::string_view word : words(document().string(attribute.value))) {
         const auto found = scope_.states.find(word);
         if (found == scope_.states.end()) {
@@ -255,7 +258,14 @@ bool MachineCompiler::add_targets(const Attribute& attribute, RowId inside, Tran
                                   program.names[inside.index] + "\"");
             continue;
         }
-        program.targets.push_back(found->second);
+        targets.push_back(found->second);
+    }
+    // a state around another target is entered on the way to it
+    for (const RowId target : targets) {
+        const bool around = std::any_of(targets.begin(), targets.end(), [&](RowId other) {
+            return other != target && program.within(other, target);
+        });
+        if (!around) { program.targets.push_back(target); }
     }
     t.target_count = static_cast<std::uint32_t>(program.targets.size()) - t.first_target;
     for (std::uint32_t i = 1; i < t.target_count; ++i) {

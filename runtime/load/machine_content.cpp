@@ -167,7 +167,7 @@ void MachineCompiler::add_data(ElementId data, RowId state, std::vector<BlockId>
     const CodeId code = value != nullptr ? expression(*value, state) : text_value(data, state);
     if (!code) { return; }
     const Instruction& first = program.code.instructions[code.index];
-    if (first.last && first.op == CodeOp::copy && first.a.space() == Space::constant) {
+    if (!late_ && first.last && first.op == CodeOp::copy && first.a.space() == Space::constant) {
         program.slots[slot->second.index].initial = program.code.constants[first.a.index()];
         return;
     }

@@ -171,7 +171,9 @@ std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
         if (port.op != op) { continue; }
         const Attribute* attribute = document(place).find(place.element, port.name);
         if (attribute != nullptr) {
-            codes.push_back(port_code(place, port.name, port.type, *attribute));
+            // BehaviorTree.CPP lets a Script be empty, and succeeds
+            const bool empty = op == Op::script && attribute->value.size == 0;
+            codes.push_back(empty ? CodeId() : port_code(place, port.name, port.type, *attribute));
         } else {
             codes.push_back(builder_.constant(literal_value(port.initial), Dialect::tree));
         }
@@ -185,13 +187,16 @@ CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::s
                                const Attribute& attribute) {
     const std::string_view value = document(place).string(attribute.value);
     if (type == "script") {
-        if (value.empty()) { return {}; }
         TreeNames names(builder_, scopes_, place.scope, attribute.value_where);
         return builder_.expression(*place.file, attribute, Dialect::tree, SyntaxMode::script,
                                    names);
     }
     if (is_pointer(value)) {
         const SlotId slot = scopes_.variable(place.scope, pointer_key(value, name));
+        Slot& entry = builder_.program.slots[slot.index];
+        if (entry.type == EntryType::missing && type == "int32") {
+            entry.type = EntryType::integer;
+        }
         scopes_.needed(slot, attribute.value_where);
         return builder_.variable(slot, Dialect::tree);
     }
