@@ -83,19 +83,20 @@ std::string listed(const std::vector<std::string>& words) {
     return out;
 }
 
+/// What values of a type are called.
 std::string_view noun(ValueType type) {
     switch (type) {
     case ValueType::text: return "a text";
     case ValueType::int32:
     case ValueType::int64: return "an integer";
     case ValueType::number: return "a number";
-    case ValueType::boolean: return "true or false";
     case ValueType::key: return "a {key}";
     case ValueType::name: return "a name without blanks";
     case ValueType::names: return "names with blanks between them";
     case ValueType::script: return "a script";
     case ValueType::expression: return "an expression";
-    case ValueType::choice: return "one of a list";
+    case ValueType::boolean:
+    case ValueType::choice: break;  // their values are listed
     }
     return {};
 }
@@ -159,11 +160,17 @@ bool in_range(const AttributeRule& rule, std::string_view value) {
 }
 
 std::string expectation(const AttributeRule& rule) {
-    const bool listed_type = rule.type == ValueType::choice;
-    std::string out = listed_type ? listed(rule.choices) : std::string(noun(rule.type));
-    if (!rule.unit.empty() && rule.type != ValueType::key) { out += " in " + rule.unit; }
-    if (rule.may_be_pointer && rule.type != ValueType::key) { out += " or a {key}"; }
-    return out;
+    std::vector<std::string> words;
+    if (rule.type == ValueType::choice) {
+        words = rule.choices;
+    } else if (rule.type == ValueType::boolean) {
+        words = {"true", "false"};
+    } else {
+        words.emplace_back(noun(rule.type));
+    }
+    if (!rule.unit.empty() && rule.type != ValueType::key) { words.back() += " in " + rule.unit; }
+    if (rule.may_be_pointer && rule.type != ValueType::key) { words.emplace_back("a {key}"); }
+    return listed(words);
 }
 
 std::string pattern(const AttributeRule& rule) {

@@ -3,9 +3,12 @@
 // SPDX-License-Identifier: MIT
 #include "load/check.h"
 
+#include "core/number.h"
 #include "load/namespaces.h"
+#include "load/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,15 +18,20 @@ namespace trellis {
 
 namespace {
 
-/// A value as messages quote it: cut if it is long.
-std::string quoted(std::string_view value) {
-    constexpr std::size_t longest = 40;
-    if (value.size() <= longest) { return "\"" + std::string(value) + "\""; }
+/// The value in quotes, on one line, cut if it is long.
+std::string quoted_short(std::string_view value) {
+    constexpr std::size_t longest = 40;  // bytes
+    std::string line;
+    for (const char c : trimmed(value)) {
+        const bool blank = is_blank(c);
+        if (!blank || !line.ends_with(' ')) { line += blank ? ' ' : c; }
+    }
+    if (line.size() <= longest) { return quoted(is_blank(value) ? value : line); }
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xC0U) == 0x80U) {
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) {
         --end;
     }
-    return "\"" + std::string(value.substr(0, end)) + "…\"";
+    return quoted(line.substr(0, end) + "…");
 }
 
 /// "a", "a or b", "a, b or c".
@@ -120,7 +128,8 @@ private:
         check_parts(e, rule);
         if (!rule.text && !document_.text(e).empty()) {
             structural("unexpected-text", document_.at(e).text_where,
-                       shown(rule.name) + " takes no text, found " + quoted(document_.text(e)));
+                       shown(rule.name) + " takes no text, found " +
+                           quoted_short(document_.text(e)));
         }
         if (rule.open == ElementRule::Open::content) { return; }
         check_children(e, rule, named);
@@ -160,6 +169,8 @@ private:
                 check_value(attribute, *port, *named, false);
             } else if (!takes_any(rule, named)) {
                 report_unknown(attribute, rule, named);
+            } else if (is_null(attribute)) {
+                report_value(attribute, AttributeRule(), true);
             }
         }
         check_required(e, rule, true);
@@ -181,14 +192,33 @@ private:
             if (!known.later) { candidates.push_back(known.name); }
         }
         const std::string meant = suggestion(name, candidates);
-        if (grammar_.kind == FileKind::tree && name.starts_with('_')) {
+        if (grammar_.kind == FileKind::tree && name.starts_with('_') && !is_null(attribute)) {
             diagnostics_.warning("ignored-attribute", attribute.where,
                                  quoted(name) + " is ignored" + meant);
             return;
         }
         fault(named == nullptr, "unknown-attribute", attribute.where,
               shown(owner.name) + " has no " + std::string(attribute_word()) + " " + quoted(name) +
-                  meant);
+                  (meant.empty() ? own_attributes(owner) : meant));
+    }
+
+    /// "; it has path and ros_pkg": the attributes of an element, if they are few; of a node those
+    /// that not all nodes have.
+    std::string own_attributes(const ElementRule& rule) const {
+        constexpr std::size_t most = 6;
+        const std::size_t common = rule.node ? grammar_.node_attributes : 0;
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i + common < rule.attributes.size(); ++i) {
+            if (!rule.attributes[i].later) { names.push_back(rule.attributes[i].name); }
+        }
+        if (names.empty() || names.size() > most) { return {}; }
+        return "; it has " + listed(names, " and ");
+    }
+
+    /// Whether the type tells more than the attribute's name.
+    static bool says_more(ValueType type) {
+        return type == ValueType::int32 || type == ValueType::int64 || type == ValueType::number ||
+               type == ValueType::boolean || type == ValueType::key || type == ValueType::choice;
     }
 
     void check_required(ElementId e, const ElementRule& rule, bool structural_fault) {
@@ -197,7 +227,7 @@ private:
             if (document_.find(e, attribute.name) != nullptr) { continue; }
             std::string message = shown(rule.name) + " needs the " + std::string(attribute_word()) +
                                   " \"" + attribute.name + "\"";
-            if (attribute.type != ValueType::text) { message += ", " + expectation(attribute); }
+            if (says_more(attribute.type)) { message += ", " + expectation(attribute); }
             fault(structural_fault, "missing-attribute", document_.at(e).where, message);
         }
     }
@@ -209,16 +239,40 @@ private:
             fault(structural_fault, "not-run", attribute.where,
                   std::string(attribute_word()) + " \"" + rule.name + "\" of " + shown(owner.name) +
                       " is not run by this version");
-        } else if (!accepts(rule, value)) {
-            const std::vector<std::string_view> choices(rule.choices.begin(), rule.choices.end());
-            fault(structural_fault, "bad-value", attribute.value_where,
-                  "\"" + rule.name + "\": expected " + expectation(rule) + ", found " +
-                      quoted(value) + suggestion(value, choices));
+        } else if (!accepts_spelling(rule, attribute)) {
+            report_value(attribute, rule, structural_fault);
         } else if (!in_range(rule, value)) {
             error("out-of-range", attribute.value_where,
                   "\"" + rule.name + "\": " + std::string(value) + " does not fit " +
                       (rule.type == ValueType::int32 ? "32" : "64") + " bits");
         }
+    }
+
+    bool is_null(const Attribute& attribute) const {
+        return attribute.bare && document_.string(attribute.value) == "null";
+    }
+
+    /// accepts(), and what only JSON can write: 3.0 is an integer there, null is nothing, and names
+    /// of a closed list are strings.
+    bool accepts_spelling(const AttributeRule& rule, const Attribute& attribute) const {
+        const std::string_view value = document_.string(attribute.value);
+        if (!attribute.bare) { return accepts(rule, value); }
+        if (is_null(attribute) || rule.type == ValueType::choice) { return false; }
+        if (rule.type == ValueType::int32 || rule.type == ValueType::int64) {
+            const ParsedNumber number = parse_whole_number(value);
+            return number.length != 0 && number.value == std::floor(number.value);
+        }
+        return accepts(rule, value);
+    }
+
+    void report_value(const Attribute& attribute, const AttributeRule& rule,
+                      bool structural_fault) {
+        const std::string_view value = document_.string(attribute.value);
+        const std::vector<std::string_view> choices(rule.choices.begin(), rule.choices.end());
+        fault(structural_fault, "bad-value", attribute.value_where,
+              quoted(document_.string(attribute.name)) + ": expected " + expectation(rule) +
+                  ", found " + (attribute.bare ? std::string(value) : quoted_short(value)) +
+                  suggestion(value, choices));
     }
 
     // Children ----------------------------------------------------------------------------------

@@ -82,15 +82,14 @@ public:
               std::uint32_t least, std::uint32_t most, ElementRule::Open open,
               std::string_view doc) {
         element(id, name, group, least, most, false, open, doc);
+        last().node = true;
         nodes_.push_back({static_cast<std::uint32_t>(grammar_.rules.size() - 1)});
     }
-    void attribute(AttributeRule rule) {
+    void attribute(AttributeRule rule) { last().attributes.push_back(std::move(rule)); }
+    void port(AttributeRule rule) {
         if (rule.type == ValueType::int32 || rule.type == ValueType::int64) {
             rule.choices = enumerators_;
         }
-        last().attributes.push_back(std::move(rule));
-    }
-    void port(AttributeRule rule) {
         rule.may_be_pointer = true;
         attribute(std::move(rule));
     }
@@ -111,6 +110,7 @@ public:
             std::vector<AttributeRule>& attributes = grammar_.rules[n.index].attributes;
             attributes.insert(attributes.end(), common_.begin(), common_.end());
         }
+        grammar_.node_attributes = static_cast<std::uint32_t>(common_.size());
         for (std::size_t g = 0; g < grammar_.groups.size(); ++g) {
             resolve(g);
         }

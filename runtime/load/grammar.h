@@ -43,8 +43,9 @@ struct ElementRule {
     std::string name;  ///< as written: "transition"
     std::string doc;
     Open open = Open::closed;
-    bool text = false;                  ///< character data may stand in it
-    GroupId group;                      ///< what may stand in it; none: nothing
+    bool text = false;  ///< character data may stand in it
+    bool node = false;  ///< of a tree: its last Grammar::node_attributes attributes all nodes have
+    GroupId group;      ///< what may stand in it; none: nothing
     std::uint32_t least = 0, most = 0;  ///< children, in all
     std::vector<AttributeRule> attributes;
     std::vector<PartsRule> parts;
@@ -63,7 +64,8 @@ struct Group {
 struct Grammar {
     FileKind kind = FileKind::tree;
     RuleId root;
-    GroupId nodes;  ///< trees: every node; none in machines
+    GroupId nodes;                      ///< trees: every node; none in machines
+    std::uint32_t node_attributes = 0;  ///< how many attributes all nodes have
     std::vector<ElementRule> rules;
     std::vector<Group> groups;
     std::vector<std::string> later;  ///< elements that this version does not run

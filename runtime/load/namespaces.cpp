@@ -6,6 +6,9 @@ namespace trellis {
 
 namespace {
 
+/// The namespace of the attributes that tell an editor which schema a document has.
+constexpr std::string_view schema_instance = "http://www.w3.org/2001/XMLSchema-instance";
+
 /// What is before the colon; empty if there is none.
 std::string_view prefix_of(std::string_view name) {
     const std::size_t colon = name.find(':');
@@ -16,7 +19,6 @@ std::string_view prefix_of(std::string_view name) {
 
 Namespaces::Mark Namespaces::enter(ElementId e) {
     const Mark mark = declared_.size();
-    if (document_.spelling == Document::Spelling::json) { return mark; }
     for (const Attribute& attribute : document_.attributes_of(e)) {
         const std::string_view name = document_.string(attribute.name);
         if (name == "xmlns" || name.starts_with("xmlns:")) {
@@ -40,23 +42,21 @@ const std::string_view* Namespaces::uri_of(std::string_view prefix) const {
 }
 
 Namespaces::Space Namespaces::space_of_element(std::string_view name) const {
-    if (document_.spelling == Document::Spelling::json || own_.empty()) { return Space::own; }
+    if (own_.empty()) { return Space::own; }
     const std::string_view* uri = uri_of(prefix_of(name));
     if (uri == nullptr || uri->empty()) { return Space::none; }
     return *uri == own_ ? Space::own : Space::foreign;
 }
 
 bool Namespaces::is_passed_over(std::string_view name) const {
-    if (name.starts_with("xmlns:") || name == "xsi:schemaLocation" ||
-        name == "xsi:noNamespaceSchemaLocation") {
-        return true;
-    }
-    if (own_.empty()) { return false; }
-    if (document_.spelling == Document::Spelling::json) { return name.starts_with('{'); }
-    if (name == "xmlns" || name.starts_with("xml:")) { return true; }
+    if (name.starts_with("xmlns:")) { return true; }
+    if (name == "xmlns" || name.starts_with("xml:")) { return !own_.empty(); }
     const std::string_view prefix = prefix_of(name);
     const std::string_view* uri = prefix.empty() ? nullptr : uri_of(prefix);
-    return uri != nullptr && !uri->empty() && *uri != own_;
+    if (uri == nullptr || uri->empty()) { return false; }
+    if (!own_.empty()) { return *uri != own_; }
+    return *uri == schema_instance &&
+           (local(name) == "schemaLocation" || local(name) == "noNamespaceSchemaLocation");
 }
 
 }  // namespace trellis

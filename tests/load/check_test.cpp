@@ -1,5 +1,5 @@
-// Every kind of finding that checking a document against the grammar makes, with its place and exact
-// text. Rendered with carets, over files of both spellings: faults_test.cpp.
+// Every kind of finding that checking a document against the grammar makes, with its place and
+// exact text. Rendered with carets, over files of both spellings: faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "load/check.h"
 
@@ -137,7 +137,7 @@ TEST_CASE("check: names of other namespaces are passed over in machines") {
                   "<initial><qt:info/><transition target='b'/></initial></state>") == "");
     CHECK(
         machine("<state xmlns:s='http://www.w3.org/2005/07/scxml' s:id='a'><s:onentry/></state>") ==
-        "2:50 <state> has no attribute \"s:id\" [unknown-attribute]\n"
+        "2:50 <state> has no attribute \"s:id\"; it has id and initial [unknown-attribute]\n"
         "~ 2:60 expected <onentry> without a prefix, found <s:onentry> [prefixed-element]\n");
     CHECK(machine("<state><onentry xmlns=''/></state>") ==
           "2:9 <onentry> is not in the namespace http://www.w3.org/2005/07/scxml "
@@ -152,7 +152,8 @@ TEST_CASE("check: the root decides what the file can be") {
           "1:2 expected xmlns=\"http://www.w3.org/2005/07/scxml\" [wrong-namespace]\n");
     CHECK(findings("<root/>", tree_grammar(registry)) ==
           "? 1:2 BTCPP_format is missing; the file is read as format 4 [format-version]\n");
-    CHECK(findings("<root xmlns:xsi='urn:x' xsi:noNamespaceSchemaLocation='t.xsd' "
+    CHECK(findings("<root xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
+                   "xsi:noNamespaceSchemaLocation='t.xsd' "
                    "BTCPP_format='4'/>",
                    tree_grammar(registry)) == "");
 }

@@ -1,5 +1,5 @@
-// The grammar: the forms of values, and how tables, built-in nodes and leaves become rules. That the
-// schemas agree with it is tested in faults_test.cpp.
+// The grammar: the forms of values, and how tables, built-in nodes and leaves become rules. That
+// the schemas agree with it is tested in faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "load/grammar.h"
 
