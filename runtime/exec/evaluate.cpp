@@ -8,6 +8,7 @@
 #include "exec/evaluate.h"
 
 #include "exec/evaluate_rules.h"
+#include "exec/evaluate_sinks.h"
 
 #include <cassert>
 #include <cmath>
@@ -15,70 +16,6 @@
 
 namespace trellis {
 namespace {
-
-// Where the last result goes. accepts() says whether the value is one that the caller can use.
-
-struct ValueSink {
-    using Result = bool;
-    static constexpr bool forgets = false;
-    static constexpr EvalErrorKind refusal = EvalErrorKind::none;
-    Value& result;
-
-    static bool accepts(double, bool) { return true; }
-    static bool accepts(const Value&, bool) { return true; }
-    bool number(double x) { return result.set_real(x), true; }
-    bool answer(bool x, bool tree) {
-        return tree ? result.set_real(x ? 1 : 0) : result.set_boolean(x), true;
-    }
-    bool value(const Value& v, bool) { return result = v, true; }
-    static bool failure() { return false; }
-};
-
-struct NoSink {
-    using Result = bool;
-    static constexpr bool forgets = true;
-    static constexpr EvalErrorKind refusal = EvalErrorKind::none;
-
-    static bool accepts(double, bool) { return true; }
-    static bool accepts(const Value&, bool) { return true; }
-    static bool number(double) { return true; }
-    static bool answer(bool, bool) { return true; }
-    static bool value(const Value&, bool) { return true; }
-    static bool failure() { return false; }
-};
-
-struct ConditionSink {
-    using Result = Truth;
-    static constexpr bool forgets = false;
-    static constexpr EvalErrorKind refusal = EvalErrorKind::not_a_condition;
-
-    static bool accepts(double x, bool tree) { return !tree || !(x < 0); }
-    static bool accepts(const Value& v, bool tree) {
-        return !tree || tree_condition(v) != Truth::failed;
-    }
-    static Truth number(double x) { return x != 0 ? Truth::yes : Truth::no; }
-    static Truth answer(bool x, bool) { return x ? Truth::yes : Truth::no; }
-    static Truth value(const Value& v, bool tree) {
-        return tree ? tree_condition(v) : machine_condition(v);
-    }
-    static Truth failure() { return Truth::failed; }
-};
-
-struct RealSink {
-    using Result = bool;
-    static constexpr bool forgets = false;
-    static constexpr EvalErrorKind refusal = EvalErrorKind::not_a_number;
-    double& result;
-
-    static bool accepts(double, bool) { return true; }
-    static bool accepts(const Value& v, bool) {
-        return v.is_number() || v.is(Value::Kind::boolean);
-    }
-    bool number(double x) { return result = x, true; }
-    bool answer(bool x, bool) { return result = x ? 1 : 0, true; }
-    bool value(const Value& v, bool) { return result = v.number(), true; }
-    static bool failure() { return false; }
-};
 
 template <class T>
 T host_value(const EvalContext& context, std::uint32_t offset) {
@@ -194,13 +131,24 @@ template <class Sink>
             in = instructions + in->extra - 1;
             continue;
         }
+        case CodeOp::assign:
+        case CodeOp::assign_add:
+        case CodeOp::assign_subtract:
+        case CodeOp::assign_multiply:
+        case CodeOp::assign_divide:
+            if (!operation(code, context, *in)) goto failed;
+            result = &a;
+            break;
         case CodeOp::fail: fail(context, static_cast<EvalErrorKind>(in->extra), a, a); goto failed;
         default:
             if (!operation(code, context, *in)) goto failed;
         }
 
         if (!in->last) {
-            if (result != &temporaries[in->target]) temporaries[in->target] = *result;
+            // the accumulator as target says that nobody reads the result
+            if (result != &temporaries[in->target] && in->target != accumulator_operand.index()) {
+                temporaries[in->target] = *result;
+            }
             continue;
         }
         if (Sink::accepts(*result, in->tree)) return sink.value(*result, in->tree);
@@ -223,10 +171,16 @@ inline bool number_at(const EvalContext& context, Operand operand, double accumu
     return exact_number(value_at(context, operand), x);
 }
 
+// Can the fast loop put a number there? Asked before an assignment, which must not happen twice.
+inline bool takes_number(const EvalContext& context, const Instruction& in) {
+    return in.last || context.temporaries[in.target].kind() < Value::Kind::text;
+}
+
 // `number` into a tree's variable that holds a number, which keeps its type. False: it is not as
 // simple as that.
 template <class Sink>
 inline bool assigned(EvalContext& context, const Instruction& in, double number) {
+    if (!takes_number(context, in)) return false;
     Value& variable = context.slots[in.a.index()];
     if (variable.is(Value::Kind::real)) {
         variable.set_real(number);
@@ -346,7 +300,9 @@ inline typename Sink::Result run(const CodeTable& code, CodeId id, EvalContext& 
             Value& variable = context.slots[in->a.index()];
             const bool is_real =
                 in->b == accumulator_operand || value_at(context, in->b).is(Value::Kind::real);
-            if (!is_real || !b() || variable.kind() >= Value::Kind::text) goto general;
+            if (!is_real || !b() || variable.kind() >= Value::Kind::text ||
+                !takes_number(context, *in))
+                goto general;
             number = y;
             variable.set_real(number);
             if (context.writes != nullptr) ++context.writes[in->a.index()];

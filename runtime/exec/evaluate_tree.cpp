@@ -298,7 +298,6 @@ bool assignment(const CodeTable& code, EvalContext& context, const Instruction& 
                                               : assign_with(context, in.op, type, v, variable);
     if (!done) return false;
     if (context.writes != nullptr) ++context.writes[slot];
-    context.temporaries[in.target] = variable;
     return true;
 }
 

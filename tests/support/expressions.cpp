@@ -119,4 +119,17 @@ std::string ExpressionWorld::run(std::string_view text, SyntaxMode mode) {
     return print(result);
 }
 
+ExpressionWorld sample_machine() {
+    ExpressionWorld world(Dialect::machine);
+    world.declare("x", Value::real(2));
+    world.declare("n", Value::integer(3));
+    world.declare("s", Value::text("abc"));
+    world.declare("u", Value());
+    world.declare("a", Value::array());
+    world.declare("o", Value::object());
+    world.declare("_event", Value::object());
+    world.run("a = [1, 'two', [3]]; o = {k: 1, 'two words': {deep: 5}}");
+    return world;
+}
+
 }  // namespace trellis

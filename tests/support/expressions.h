@@ -68,4 +68,7 @@ private:
     std::vector<Value> scratch_;
 };
 
+/// A machine with the variables x = 2, n = 3 (integer), s = 'abc', u, the array a and the object o.
+ExpressionWorld sample_machine();
+
 }  // namespace trellis
