@@ -202,8 +202,7 @@ std::string Canvas::finish(Size size, std::string_view title, std::string_view d
         number(-margin) + " " + number(-margin) + " " + number(width) + " " + number(height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
            attribute("height", height) + attribute("viewBox", box) + attribute("role", "img") +
-           attribute("aria-labelledby", "title desc") + ">\n<title id=\"title\">" +
-           svg::escaped(title) + "</title>\n<desc id=\"desc\">" + svg::escaped(description) +
+           ">\n<title>" + svg::escaped(title) + "</title>\n<desc>" + svg::escaped(description) +
            "</desc>\n" + style_sheet() + "<rect" + attribute("x", -margin) +
            attribute("y", -margin) + attribute("width", width) + attribute("height", height) +
            attribute("class", "ground") + "/>\n" + body_ + "</svg>\n";

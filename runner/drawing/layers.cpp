@@ -145,8 +145,11 @@ private:
         return layer;
     }
 
+    /// The last layer lies below everything, far enough for the edges that end there.
     void place_last() {
-        const std::uint32_t bottom = deepest() + 1;
+        std::uint32_t bottom = deepest() + 1;
+        for (std::uint32_t n = 0; n < size(); ++n)
+            if (graph_.nodes[n].place == Place::last) bottom = std::max(bottom, highest(n));
         for (LayeredNode& node : graph_.nodes)
             if (node.place == Place::last) node.layer = bottom;
     }
