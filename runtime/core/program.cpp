@@ -148,7 +148,7 @@ private:
             for (std::uint32_t k = 0; k < t.event_count; ++k) {
                 event("on", p_.descriptors[t.first_event + k]);
             }
-            field("if", t.guard);
+            field("if", t.guard.code);
             for (std::uint32_t k = 0; k < t.target_count; ++k) {
                 field("to", p_.targets[t.first_target + k]);
             }

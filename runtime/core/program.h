@@ -114,14 +114,34 @@ struct EventName {
     friend bool operator==(const EventName&, const EventName&) = default;
 };
 
+/// What a condition asks, where it is one of the two that robots ask in every cycle: then it is
+/// answered without evaluating code. `code` always says the same.
+struct Condition {
+    enum class Form : std::uint8_t {
+        always,   ///< there is none
+        sensor,   ///< a boolean sensor, at byte `at` of the host
+        elapsed,  ///< elapsed() > `limit`, of the state of row `at`
+        code,     ///< anything else
+    };
+    Form form = Form::always;
+    std::uint32_t at = 0;
+    double limit = 0.0;  ///< s
+    SlotId variable;     ///< if not none, the limit is what it holds, where that is a real
+    CodeId code;
+
+    friend bool operator==(const Condition&, const Condition&) = default;
+};
+
 /// One <transition>, or the content of an <initial>. Those of one source are neighbours, in
 /// document order.
 struct Transition {
     RowId source;
     std::uint32_t first_event = 0, event_count = 0;    ///< Program::descriptors; 0: eventless
     std::uint32_t first_target = 0, target_count = 0;  ///< Program::targets; 0: targetless
-    CodeId guard = {};                                 ///< none: always true
-    BlockId block = {};                                ///< none: no content
+    Condition guard = {};
+    BlockId block = {};  ///< none: no content
+    /// The events that the only descriptor matches; none unless there is exactly one.
+    EventId event_begin = {}, event_end = {};
     bool internal = false;  ///< type="internal", and source and targets allow it (SCXML 3.13)
     RowId domain = {};      ///< the row whose descendants are left; none if targetless
 
@@ -133,7 +153,8 @@ struct StateInfo {
     std::uint32_t first_transition = 0, transition_count = 0;
     std::uint32_t first_entry = 0, entry_count = 0;  ///< Program::blocks: <onentry>, in order
     std::uint32_t first_exit = 0, exit_count = 0;    ///< Program::blocks: <onexit>, in order
-    TransitionId initial;       ///< compound states and machines: where they begin; else none
+    TransitionId initial;  ///< compound states and machines: where they begin; else none
+    RowId outer;           ///< the next state around it that has transitions; none if there is none
     std::uint32_t invokes = 0;  ///< number of invoke rows; they precede the states among children
     EventId done;               ///< compound states: done.state.ID
 

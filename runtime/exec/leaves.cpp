@@ -34,16 +34,8 @@ Status Stepper::tick_at_once(RowId n, const Row& row) {
     return status;
 }
 
-Status Stepper::call(RowId n, const LeafCall& leaf, std::byte* self) {
-    if (leaf.input_count != 0 && !read_inputs(n, leaf, self)) { return Status::idle; }
-    s_.last_leaf = n;
-    const Status status = leaf.type->tick(self, host_, tick_);
-    if (leaf.output_count != 0 && !write_outputs(n, leaf, self)) { return Status::idle; }
-    if (status == Status::idle) {
-        return fault(Fault::Kind::leaf_status, n, leaf.type->name + " returned IDLE");
-    }
-    trace_leaf(n, status);
-    return status;
+Status Stepper::returned_idle(RowId n, const LeafCall& leaf) {
+    return fault(Fault::Kind::leaf_status, n, leaf.type->name + " returned IDLE");
 }
 
 void Stepper::halt_leaf(RowId n) {

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include "exec/stepper.h"
 
+#include <cstring>
 #include <utility>
 
 namespace trellis {
@@ -24,9 +25,11 @@ Status Stepper::tick_machine(RowId m) {
     if (!at_rest()) { settle(); }
 
     // what was waiting comes before this cycle's tick, what arises now comes after it
-    for (std::size_t waiting = session.external.size() - session.external_next;
-         waiting != 0 && running(); --waiting) {
-        take_next_external();
+    if (!session.external.empty()) {
+        for (std::size_t waiting = session.external.size() - session.external_next;
+             waiting != 0 && running(); --waiting) {
+            take_next_external();
+        }
     }
     if (p_.tick_event && running()) {
         if (trace_ != nullptr || p_.event_slot) {
@@ -35,7 +38,7 @@ Status Stepper::tick_machine(RowId m) {
         microstep(p_.tick_event);
         if (!at_rest()) { settle(); }
     }
-    while (session.external_next != session.external.size() && running()) {
+    while (!session.external.empty() && running()) {
         take_next_external();
     }
     if (s_.fault) { return Status::idle; }
@@ -76,7 +79,7 @@ void Stepper::settle() {
             return;
         }
         if (p_.has_eventless && microstep({})) { continue; }
-        if (session.internal_next == session.internal.size()) { break; }
+        if (session.internal.empty()) { break; }
         const Event event = std::move(session.internal[session.internal_next++]);
         if (session.internal_next == session.internal.size()) {
             session.internal.clear();
@@ -125,27 +128,54 @@ bool Stepper::microstep(EventId event) {
 
 // The first enabled transition from the atomic state outwards, in document order (SCXML 3.13).
 TransitionId Stepper::enabled(RowId atom, EventId event) {
-    for (RowId n = atom; n; n = rows_[n.index].parent) {
+    const Transition* const transitions = p_.transitions.data();
+    for (RowId n = atom; n;) {
         const StateInfo& state = p_.states[rows_[n.index].arg];
+        n = state.outer;
         const std::uint32_t end = state.first_transition + state.transition_count;
         for (std::uint32_t i = state.first_transition; i != end; ++i) {
-            const Transition& transition = p_.transitions[i];
+            const Transition& transition = transitions[i];
             const bool named = event ? is_named(transition, event) : transition.event_count == 0;
-            if (named && (!transition.guard || holds(transition.source, transition.guard))) {
-                return {i};
-            }
+            if (named && holds(transition.source, transition.guard)) { return {i}; }
         }
     }
     return {};
 }
 
+bool Stepper::holds(RowId n, const Condition& condition) {
+    switch (condition.form) {
+    case Condition::Form::always: return true;
+    case Condition::Form::sensor: {
+        bool sensed = false;
+        std::memcpy(&sensed, static_cast<const std::byte*>(host_) + condition.at, sizeof sensed);
+        return sensed;
+    }
+    case Condition::Form::elapsed: {
+        double limit = condition.limit;
+        if (condition.variable) {
+            const Value& variable = s_.slots[condition.variable.index];
+            if (!variable.is(Value::Kind::real)) { break; }
+            limit = variable.as_real();
+        }
+        return (s_.session.clock - memory_[condition.at]) * tick_.dt > limit;
+    }
+    case Condition::Form::code: break;
+    }
+    return holds(n, condition.code);
+}
+
+// A condition that fails raises error.execution and is false (SCXML 5.9.1).
 bool Stepper::holds(RowId n, CodeId code) {
     const Truth truth = evaluate_condition(p_.code, code, context());
     if (truth == Truth::failed) { raise_error(n); }
     return truth == Truth::yes;
 }
 
+// Most transitions have one descriptor, whose interval is at hand.
 bool Stepper::is_named(const Transition& transition, EventId event) const {
+    if (transition.event_count < 2) {
+        return transition.event_begin <= event && event < transition.event_end;
+    }
     for (std::uint32_t i = 0; i < transition.event_count; ++i) {
         if (p_.matches(p_.descriptors[transition.first_event + i], event)) { return true; }
     }
@@ -236,16 +266,18 @@ void Stepper::tick_invokes() {
     std::vector<RowId>& running = s_.session.invokes;
     std::size_t kept = 0;
     for (const RowId n : running) {
-        const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
-        if (invoke.param_count != 0) { pass_params(invoke); }
-        const Status status = tick(first_child(n));
+        const RowId body = first_child(n);
+        if (rows_[body.index].op == Op::tree) { pass_params(p_.invokes[rows_[n.index].arg]); }
+        const Status status =
+            status_[body.index] == Status::running ? tick_again(body) : tick(body);
         if (status == Status::idle) { return; }
         if (!is_done(status)) {
             running[kept++] = n;
             continue;
         }
-        reset(first_child(n));
+        reset(body);
         store(n, status);
+        const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
         Event event{.name = status == Status::success ? invoke.done_success : invoke.done_failure,
                     .type = Event::Type::external,
                     .invoke = n,

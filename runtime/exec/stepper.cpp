@@ -62,7 +62,7 @@ Status Stepper::step_tree(RowId root) {
 Status Stepper::tick_resumed(RowId root) {
     const RowId n = s_.resume;
     count_scopes_around(n, 1);
-    const Status status = tick(n);
+    const Status status = tick_again(n);
     if (status == Status::running || status == Status::idle) { return status; }
     count_scopes_around(n, -1U);
     s_.resume = {};

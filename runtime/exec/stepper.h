@@ -33,7 +33,7 @@ public:
           while_woken_(options.while_woken),
           budget_(options.budget != 0
                       ? options.budget
-                      : 100'000 + 64 * static_cast<std::uint32_t>(program.rows.size())),
+                      : 100'000 + 64 * static_cast<std::uint32_t>(state.status.size())),
           tick_{state.tick, options.dt, &state.random} {}
 
     /// One tick of the whole program: see step().
@@ -97,8 +97,26 @@ private:
     // Leaves: leaves.cpp -------------------------------------------------------------------------
 
     Status tick_action(RowId n, const Row& row);
+    /// Ticks what runs at `n` and was running: the same as tick(n), without the detour for leaves.
+    Status tick_again(RowId n) {
+        const Row& row = rows_[n.index];
+        if (row.op != Op::action || row.conditional) { return tick(n); }
+        const LeafCall& leaf = p_.calls[row.arg];
+        const Status status = call(n, leaf, s_.leaves.data() + leaf.offset);
+        if (is_done(status)) { store(n, status); }
+        return status;
+    }
     Status tick_at_once(RowId n, const Row& row);
-    Status call(RowId n, const LeafCall& call, std::byte* self);
+    Status call(RowId n, const LeafCall& leaf, std::byte* self) {
+        if (leaf.input_count != 0 && !read_inputs(n, leaf, self)) { return Status::idle; }
+        s_.last_leaf = n;
+        const Status status = leaf.type->tick(self, host_, tick_);
+        if (leaf.output_count != 0 && !write_outputs(n, leaf, self)) { return Status::idle; }
+        if (status == Status::idle) { return returned_idle(n, leaf); }
+        trace_leaf(n, status);
+        return status;
+    }
+    Status returned_idle(RowId n, const LeafCall& leaf);
     void halt_leaf(RowId n);
     void point_inputs(const LeafCall& call, std::byte* self);
     bool read_inputs(RowId n, const LeafCall& call, std::byte* self);
@@ -125,9 +143,7 @@ private:
     /// Whether the machine has neither reached its end nor failed.
     bool running() const { return !s_.session.final && !s_.fault; }
     /// Whether nothing is left to do before the next external event.
-    bool at_rest() const {
-        return !p_.has_eventless && s_.session.internal_next == s_.session.internal.size();
-    }
+    bool at_rest() const { return !p_.has_eventless && s_.session.internal.empty(); }
 
     // The active states: configuration.cpp -------------------------------------------------------
 
@@ -148,6 +164,7 @@ private:
     bool integer_port(RowId n, CodeId code, std::int64_t& result);
     /// Evaluates a condition of a machine: one that fails raises error.execution and is false.
     bool holds(RowId n, CodeId code);
+    bool holds(RowId n, const Condition& condition);
     /// What expressions see. Filled when a step evaluates its first expression.
     EvalContext& context() {
         if (!context_) { fill_context(); }

@@ -174,6 +174,32 @@ CodeId Builder::add_copy(Operand operand, Dialect dialect) {
     return id;
 }
 
+Condition Builder::condition(CodeId code) const {
+    if (!code) { return {.form = Condition::Form::always, .variable = {}, .code = {}}; }
+    Condition found{.form = Condition::Form::code, .variable = {}, .code = code};
+    const Instruction& first = program.code.instructions[code.index];
+    if (first.op == CodeOp::sensor_boolean && first.last) {
+        found.form = Condition::Form::sensor;
+        found.at = first.extra;
+    }
+    if (first.op != CodeOp::elapsed_since || first.last) { return found; }
+    const Instruction& second = program.code.instructions[code.index + 1];
+    const bool compares = second.op == CodeOp::greater && second.last && !second.tree &&
+                          second.a == accumulator_operand;
+    const Operand limit = second.b;
+    const bool constant = limit.space() == Space::constant &&
+                          program.code.constants[limit.index()].is(Value::Kind::real);
+    if (!compares || (!constant && limit.space() != Space::slot)) { return found; }
+    found.form = Condition::Form::elapsed;
+    found.at = first.extra;
+    if (constant) {
+        found.limit = program.code.constants[limit.index()].as_real();
+    } else {
+        found.variable = {limit.index()};
+    }
+    return found;
+}
+
 // Leaves ------------------------------------------------------------------------------------------
 
 std::uint32_t Builder::add_call(const LeafType& type) {

@@ -199,6 +199,9 @@ void MachineCompiler::fill_state(RowId n) {
     state.exit_count = static_cast<std::uint32_t>(onexit.size());
 
     state.initial = initial_of(n);
+    for (RowId up = program.at(n).parent; up && !state.outer; up = program.at(up).parent) {
+        if (program.state(up).transition_count != 0) { state.outer = up; }
+    }
     if (program.at(n).op == Op::state && document().find(e, "id") != nullptr) {
         state.done = event("done.state." + program.names[n.index]);
     }
@@ -219,8 +222,12 @@ void MachineCompiler::transition(ElementId e, RowId source) {
     }
     t.event_count = static_cast<std::uint32_t>(program.descriptors.size()) - t.first_event;
     program.has_eventless |= t.event_count == 0;
+    if (t.event_count == 1) {
+        t.event_begin = program.descriptors.back();
+        t.event_end = program.events[t.event_begin.index].end;
+    }
     if (const Attribute* cond = document().find(e, "cond"); cond != nullptr) {
-        t.guard = expression(*cond, source);
+        t.guard = builder_.condition(expression(*cond, source));
     }
     if (const Attribute* target = document().find(e, "target"); target != nullptr) {
         if (add_targets(*target, {0}, t)) {
