@@ -1,0 +1,274 @@
+// trellis run: one episode, its traces, its picture and its report.
+// SPDX-License-Identifier: MIT
+#include "exec/step.h"
+#include "runner/choice.h"
+#include "runner/commands.h"
+#include "runner/event_lines.h"
+#include "runner/run_report.h"
+#include "sim/bridge/trace_csv.h"
+#include "sim/trail.h"
+#include "sim/trail_svg.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <utility>
+
+namespace trellis {
+
+namespace {
+
+/// A trace that is being written.
+struct TraceFile {
+    std::string path;
+    bool events;  ///< JSON Lines; else CSV
+    std::unique_ptr<OutputFile> file;
+};
+
+/// One run: drives the episode and hands what happens to whoever asked for it.
+class Run : TraceSink {
+public:
+    Run(const RunArguments& arguments, const Program& program, Streams& streams)
+        : arguments_(arguments), program_(program), streams_(streams), labels_(program),
+          tally_(labels_) {}
+
+    /// Opens the traces; false after a message.
+    bool open();
+    /// Runs to the end; false if a trace cannot be written any more.
+    bool drive(Episode& episode);
+    /// Gives the traces their names and writes the picture; false after a message.
+    bool write_files(const Episode& episode, const std::string& random);
+    std::string report(const Episode& episode, std::string random) const;
+
+private:
+    void on(const TraceEvent& event) override;
+    void tell_start(const Episode& episode);
+    void add_row(const Episode& episode);
+    void add_point(const Roomba& before, const State& after);
+    std::string picture(const Episode& episode, const std::string& random) const;
+
+    const RunArguments& arguments_;
+    const Program& program_;
+    Streams& streams_;
+    Labels labels_;
+    Tally tally_;
+    std::vector<TraceFile> traces_;
+    Trail trail_;
+    std::vector<std::string> log_;
+    bool written_ = true;
+};
+
+bool Run::open() {
+    for (const std::string& path : arguments_.traces) {
+        std::unique_ptr<OutputFile> file = open_output(path, streams_);
+        if (!file) { return false; }
+        traces_.push_back({path, path.ends_with(".jsonl"), std::move(file)});
+        if (!traces_.back().events) { traces_.back().file->write(trace_csv_header); }
+    }
+    return true;
+}
+
+void Run::on(const TraceEvent& event) {
+    tally_.on(event);
+    if (event.kind == TraceEvent::Kind::log && arguments_.log) {
+        if (arguments_.format == Format::json) {
+            log_.emplace_back(event.text);
+        } else {
+            streams_.out << event.text << '\n';
+        }
+    }
+    std::string line;
+    for (const TraceFile& trace : traces_) {
+        if (!trace.events) { continue; }
+        if (line.empty()) { append_event_line(line, program_, event); }
+        written_ = trace.file->write(line) && written_;
+    }
+}
+
+// An episode enters its first states without a sink. The same start once more, with one: equal,
+// because a run is determined by how it begins.
+void Run::tell_start(const Episode& episode) {
+    State state = fresh_state(program_);
+    state.random = episode.setup().random;
+    Roomba robot = at_start(episode.setup().world);
+    start(program_, state, robot, {.dt = episode.setup().dt, .trace = this});
+}
+
+void Run::add_row(const Episode& episode) {
+    std::string line;
+    for (const TraceFile& trace : traces_) {
+        if (trace.events) { continue; }
+        if (line.empty()) { append_trace_csv(line, episode.row()); }
+        written_ = trace.file->write(line) && written_;
+    }
+}
+
+void Run::add_point(const Roomba& before, const State& after) {
+    if (arguments_.svg.empty()) { return; }
+    const std::uint32_t label = labels_.of(labels_.row(after)).index;
+    trail_.add({before.x, before.y,
+                static_cast<std::uint16_t>(std::min<std::uint32_t>(label, TrailPoint::no_leaf))});
+}
+
+bool Run::drive(Episode& episode) {
+    tell_start(episode);
+    add_row(episode);
+    const std::uint64_t ticks = arguments_.episode.tick_count();
+    for (std::uint64_t i = 0; i < ticks && written_ && streams_.out; ++i) {
+        const Roomba before = episode.robot();
+        if (!episode.tick(this)) { break; }
+        tally_.tick(episode);
+        add_point(before, episode.state());
+        add_row(episode);
+        if (episode.is_over()) { break; }
+    }
+    return written_;
+}
+
+std::string Run::picture(const Episode& episode, const std::string& random) const {
+    return trail_svg(episode.setup().world, trail_.points(), episode.robot(),
+                     {.title = shown_name(arguments_.file),
+                      .run = random,
+                      .seconds = episode.row().time,
+                      .leaves = labels_.names()});
+}
+
+bool Run::write_files(const Episode& episode, const std::string& random) {
+    for (const TraceFile& trace : traces_) {
+        if (!commit(*trace.file, trace.path, streams_)) { return false; }
+    }
+    return arguments_.svg.empty() || write_text(arguments_.svg, picture(episode, random), streams_);
+}
+
+std::string Run::report(const Episode& episode, std::string random) const {
+    const std::string file = shown_name(arguments_.file);
+    const RunReport report{file, std::move(random), episode, labels_, tally_, log_};
+    return arguments_.format == Format::json ? report_json(report) : report_text(report);
+}
+
+/// The error of a run that cannot go on.
+void show_fault(const Program& program, const State& state, Streams& streams) {
+    streams.err << describe_fault(program, state) << '\n';
+}
+
+/// Whether the traces or the picture go to standard output, where the report then does not.
+bool writes_to_pipe(const RunArguments& arguments) {
+    const auto& traces = arguments.traces;
+    return arguments.svg == "-" || std::find(traces.begin(), traces.end(), "-") != traces.end();
+}
+
+/// Whether nothing can happen any more in a machine that no robot ticks.
+bool is_at_rest(const Program& program, const State& state) {
+    return !program.tick_event && state.session.external_next == state.session.external.size() &&
+           state.session.invokes.empty();
+}
+
+class LogSink : public TraceSink {
+public:
+    explicit LogSink(std::ostream& out) : out_(out) {}
+    void on(const TraceEvent& event) override {
+        if (event.kind == TraceEvent::Kind::log) { out_ << event.text << '\n'; }
+    }
+
+private:
+    std::ostream& out_;
+};
+
+// Without a robot: only the events of the machine itself, as fast as they come.
+Exit run_without_world(const RunArguments& arguments, const Program& program, Random random,
+                       Streams& streams) {
+    if (!program.is_machine() || program.host != nullptr) {
+        return complain(streams, Exit::no,
+                        shown_name(arguments.file) + " needs a robot: only a machine whose leaves "
+                                                     "and expressions need none runs without one");
+    }
+    LogSink log(streams.out);
+    const StepOptions options{.dt = arguments.episode.dt, .trace = arguments.log ? &log : nullptr};
+    State state = fresh_state(program);
+    state.random = std::move(random);
+    start(program, state, {}, options);
+    const std::uint64_t ticks = arguments.episode.tick_count();
+    for (std::uint64_t i = 0; i < ticks && !state.fault; ++i) {
+        if (is_done(step(program, state, {}, options)) || is_at_rest(program, state)) { break; }
+    }
+    if (state.fault) {
+        show_fault(program, state, streams);
+        return Exit::no;
+    }
+    const RowId final = state.session.final;
+    streams.out << "final: " << (final ? program.name(final) : "-") << '\n';
+    return final ? Exit::yes : Exit::no;
+}
+
+Exit run_in_world(const RunArguments& arguments, const Program& program, Random random,
+                  const std::string& random_words, Streams& streams) {
+    EpisodeSetup setup = setup_of(arguments.episode);
+    setup.random = std::move(random);
+    Episode episode(program, std::move(setup));
+    Run run(arguments, program, streams);
+    if (!run.open()) { return Exit::file; }
+    run.drive(episode);
+    if (episode.state().fault) { show_fault(program, episode.state(), streams); }
+    if (!run.write_files(episode, random_words)) { return Exit::file; }
+    (writes_to_pipe(arguments) ? streams.err : streams.out) << run.report(episode, random_words);
+    return episode.state().fault ? Exit::no : Exit::yes;
+}
+
+const CLI::Validator trace_name(
+    [](const std::string& path) {
+        const bool known = path == "-" || path.ends_with(".csv") || path.ends_with(".jsonl");
+        return known ? std::string()
+                     : "a trace is written as FILE.csv or FILE.jsonl, not as \"" + path + "\"";
+    },
+    "", "trace_name");
+
+}  // namespace
+
+void add_options(CLI::App& app, RunArguments& arguments) {
+    app.add_option("FILE", arguments.file, "the behaviour: a tree or machine file, or -")
+        ->required();
+    add_options(app, arguments.episode);
+    app.add_option("--seed", arguments.episode.seeds,
+                   "seed of the random numbers, as Python's random.seed(N); 0 if not given")
+        ->type_name("N")
+        ->expected(1)
+        ->excludes("--draws");
+    add_options(app, arguments.load);
+    app.add_option("--trace", arguments.traces,
+                   "write every tick to FILE.csv, or every event of the behaviour to FILE.jsonl; "
+                   "may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->check(trace_name);
+    app.add_option("--svg", arguments.svg, "draw the robot's way into a file")->type_name("FILE");
+    app.add_flag("--log", arguments.log, "print what <log> says, as \"label: value\"");
+    add_choice<bool>(app, "--world", arguments.no_world, {{"lab", false}, {"none", true}},
+                     "the lab's room, or no robot at all: then only \"final: ID\" is printed");
+    add_format(app, arguments.format);
+}
+
+Exit execute(const RunArguments& arguments, Streams& streams) {
+    const RoombaRegistry registry;
+    Exit exit = Exit::yes;
+    const std::optional<Behaviour> behaviour =
+        load_behaviour(arguments.file, arguments.load, registry, streams, exit);
+    if (!behaviour) { return exit; }
+
+    const EpisodeArguments& episode = arguments.episode;
+    const std::int64_t seed = episode.seeds.empty() ? 0 : episode.seeds.back();
+    std::optional<Random> random = Random(seed);
+    std::string words = "seed " + std::to_string(seed);
+    if (!episode.draws.empty()) {
+        random = load_draws(episode.draws, streams, exit);
+        words = "draws " + shown_name(episode.draws);
+    }
+    if (!random) { return exit; }
+    const Program& program = *behaviour->program;
+    return arguments.no_world
+               ? run_without_world(arguments, program, std::move(*random), streams)
+               : run_in_world(arguments, program, std::move(*random), words, streams);
+}
+
+}  // namespace trellis
