@@ -22,6 +22,30 @@ std::string_view Document::value(ElementId e, std::string_view attribute,
     return a == nullptr ? otherwise : string(a->value);
 }
 
+const Attribute* Document::repeated(ElementId e) const {
+    const AttributeRange all = attributes_of(e);
+    constexpr std::uint32_t few = 12;  // up to here comparing all pairs is faster than sorting
+    if (at(e).attribute_count <= few) {
+        for (const Attribute& a : all) {
+            for (const Attribute* b = all.begin(); b != &a; ++b) {
+                if (string(a.name) == string(b->name)) { return &a; }
+            }
+        }
+        return nullptr;
+    }
+    std::vector<const Attribute*> sorted;
+    for (const Attribute& a : all) {
+        sorted.push_back(&a);
+    }
+    const auto name = [this](const Attribute* a) { return string(a->name); };
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Attribute* a, const Attribute* b) { return name(a) < name(b); });
+    const auto same = std::adjacent_find(
+        sorted.begin(), sorted.end(),
+        [&](const Attribute* a, const Attribute* b) { return name(a) == name(b); });
+    return same == sorted.end() ? nullptr : *(same + 1);
+}
+
 std::size_t Document::child_count(ElementId e) const {
     std::size_t n = 0;
     for ([[maybe_unused]] const ElementId child : children(e)) {

@@ -82,6 +82,9 @@ public:
     std::string_view value(ElementId e, std::string_view attribute,
                            std::string_view otherwise = {}) const;
 
+    /// The second of two attributes of `e` that have the same name, or null.
+    const Attribute* repeated(ElementId e) const;
+
     /// The children of `e`, in document order: for (ElementId c : doc.children(e)).
     class ChildRange {
     public:

@@ -108,19 +108,11 @@ void ElementReader::add_attribute(ElementId e, std::string_view name, JsonId mem
 }
 
 void ElementReader::check_unique(ElementId e) {
-    std::vector<const Attribute*> sorted;
-    for (const Attribute& a : document_.attributes_of(e)) {
-        sorted.push_back(&a);
-    }
-    const auto name = [this](const Attribute* a) { return document_.string(a->name); };
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const Attribute* a, const Attribute* b) { return name(a) < name(b); });
-    const auto same = std::adjacent_find(
-        sorted.begin(), sorted.end(),
-        [&](const Attribute* a, const Attribute* b) { return name(a) == name(b); });
-    if (same == sorted.end()) { return; }
-    diagnostics_.structural_error("json-member", (*(same + 1))->where,
-                                  "the attribute " + quoted(name(*same)) + " is given twice");
+    const Attribute* const second = document_.repeated(e);
+    if (second == nullptr) { return; }
+    diagnostics_.structural_error("json-member", second->where,
+                                  "the attribute " + quoted(document_.string(second->name)) +
+                                      " is given twice");
 }
 
 void ElementReader::add_xml(ElementId e, JsonId fragment) {

@@ -148,6 +148,11 @@ bool is_xml_character(char32_t c) {  // XML 1.0, production 2
 
 std::optional<Forbidden> find_forbidden(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte >= 0x20 && byte < 0x80) {
+            ++i;
+            continue;
+        }
         const Decoded c = decode(text.substr(i));
         if (!is_xml_character(c.character)) { return Forbidden{i, c.character}; }
         i += c.length;

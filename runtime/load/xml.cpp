@@ -217,8 +217,8 @@ private:
 
     // Tags ----------------------------------------------------------------------------------------
 
-    bool read_start_tag() {
-        const std::size_t begin = at;
+    /// Whether one more element may begin here; an error if not.
+    bool check_limits() {
         if (outside_root() && !document_.empty()) {
             return fail_syntax("expected one root element, found a second one after </" +
                                root_name() + ">");
@@ -231,21 +231,30 @@ private:
             return fail("too-large", at,
                         "elements are nested more than " + std::to_string(limits_.depth) + " deep");
         }
-        ++at;
-        const std::string_view name = take_name();
-        if (name.empty()) {
-            return fail_expected("the name of an element after \"<\" (a \"<\" in text is written "
-                                 "\"&lt;\")");
-        }
+        return true;
+    }
 
+    ElementId open_element(std::string_view name, std::size_t offset) {
         if (depth_ == frames_.size()) { frames_.emplace_back(); }
         const ElementId parent = outside_root() ? ElementId{} : frames_[depth_ - 1].element;
-        const ElementId e = document_.open(parent, name, lines.at(begin + 1));
+        const ElementId e = document_.open(parent, name, lines.at(offset));
         Frame& frame = frames_[depth_++];
         frame.element = e;
         frame.text.clear();
         frame.bindings = bound_.size();
         append_docs(e);
+        return e;
+    }
+
+    bool read_start_tag() {
+        if (!check_limits()) { return false; }
+        const std::size_t name_at = ++at;
+        const std::string_view name = take_name();
+        if (name.empty()) {
+            return fail_expected("the name of an element after \"<\" (a \"<\" in text is written "
+                                 "\"&lt;\")");
+        }
+        const ElementId e = open_element(name, name_at);
         while (true) {
             const bool blank = skip_blanks();
             if (ahead(">")) {
@@ -273,37 +282,20 @@ private:
             at = begin;
             return fail_expected("a blank before the attribute");
         }
-        skip_blanks();
-        if (!ahead("=")) {
-            return fail_expected("\"=\" and a quoted value after the attribute " + quoted(name));
+        const auto raw = take_value(name);
+        if (!raw) { return false; }
+        const std::size_t past = at;
+        const std::size_t value_at = past - 1 - raw->size();
+        // most values are written as they are
+        std::string_view value = *raw;
+        if (value.find('&') != std::string_view::npos ||
+            value.find('\r') != std::string_view::npos) {
+            at = value_at;
+            if (!decode(past - 1)) { return false; }
+            at = past;
+            value = decoded_;
         }
-        ++at;
-        skip_blanks();
-        if (!ahead("\"") && !ahead("'")) {
-            return fail_expected("the value of " + quoted(name) + " in quotes");
-        }
-        const char quote = text[at];
-        const std::size_t value_at = ++at;
-        std::size_t end = value_at;
-        bool plain = true;
-        for (; end < text.size() && text[end] != quote && text[end] != '<'; ++end) {
-            plain = plain && text[end] != '&' && text[end] != '\r';
-        }
-        if (end == text.size()) {
-            at = value_at - 1;
-            return fail_syntax("the value of " + quoted(name) + " has no closing quote");
-        }
-        // a missing quote swallows what follows: the "<" of the next tag gives it away
-        if (text[end] == '<') {
-            at = end;
-            return fail_syntax("\"<\" in the value of " + quoted(name) +
-                               ": write \"&lt;\", or close the quote before it");
-        }
-        if (!plain && !decode(end)) { return false; }
-        at = end + 1;
         const Where where = lines.at(begin);
-        const std::string_view value =
-            plain ? text.substr(value_at, end - value_at) : std::string_view(decoded_);
         document_.add_attribute(e, name, value, where, lines.at(value_at));
         if (name.starts_with("xmlns:")) { bind(name.substr(6)); }
         return true;
@@ -311,43 +303,17 @@ private:
 
     /// Finds attributes of the same name and, once all are known, undeclared prefixes.
     bool check_attributes(ElementId e) {
-        const auto attributes = document_.attributes_of(e);
-        constexpr std::uint32_t few = 12;  // up to here comparing all pairs is faster than sorting
-        const Attribute* second = nullptr;
-        if (document_.at(e).attribute_count <= few) {
-            for (const Attribute& a : attributes) {
-                for (const Attribute* b = attributes.begin(); b != &a && second == nullptr; ++b) {
-                    if (document_.string(a.name) == document_.string(b->name)) { second = &a; }
-                }
-            }
-        } else {
-            second = repeated_attribute(attributes);
-        }
-        if (second != nullptr) {
+        if (const Attribute* const second = document_.repeated(e)) {
             diagnostics.error("duplicate-attribute", second->where,
                               "the attribute " + quoted(document_.string(second->name)) +
                                   " is given twice in <" + std::string(document_.name(e)) + ">");
             return false;
         }
         check_prefix(document_.name(e), document_.at(e).where);
-        for (const Attribute& a : attributes) {
+        for (const Attribute& a : document_.attributes_of(e)) {
             check_prefix(document_.string(a.name), a.where);
         }
         return true;
-    }
-
-    const Attribute* repeated_attribute(Document::AttributeRange attributes) const {
-        std::vector<const Attribute*> sorted;
-        for (const Attribute& a : attributes) {
-            sorted.push_back(&a);
-        }
-        const auto name = [this](const Attribute* a) { return document_.string(a->name); };
-        std::stable_sort(sorted.begin(), sorted.end(),
-                         [&](const Attribute* a, const Attribute* b) { return name(a) < name(b); });
-        const auto same = std::adjacent_find(
-            sorted.begin(), sorted.end(),
-            [&](const Attribute* a, const Attribute* b) { return name(a) == name(b); });
-        return same == sorted.end() ? nullptr : *(same + 1);
     }
 
     bool read_end_tag() {

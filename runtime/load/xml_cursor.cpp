@@ -38,6 +38,37 @@ std::string_view XmlCursor::take_name() {
     return name;
 }
 
+std::optional<std::string_view> XmlCursor::take_value(std::string_view name) {
+    skip_blanks();
+    if (!ahead("=")) {
+        fail_expected("\"=\" and a quoted value after " + quoted(name));
+        return std::nullopt;
+    }
+    ++at;
+    skip_blanks();
+    if (!ahead("\"") && !ahead("'")) {
+        fail_expected("the value of " + quoted(name) + " in quotes");
+        return std::nullopt;
+    }
+    const char quote = text[at];
+    const std::size_t begin = ++at;
+    while (at < text.size() && text[at] != quote && text[at] != '<') {
+        ++at;
+    }
+    if (at == text.size()) {
+        fail("xml-syntax", begin - 1, "the value of " + quoted(name) + " has no closing quote");
+        return std::nullopt;
+    }
+    // a missing quote swallows what follows: the "<" of the next tag gives it away
+    if (text[at] == '<') {
+        fail_syntax("\"<\" in the value of " + quoted(name) +
+                    ": write \"&lt;\", or close the quote before it");
+        return std::nullopt;
+    }
+    ++at;
+    return text.substr(begin, at - 1 - begin);
+}
+
 bool XmlCursor::take_declaration() {
     if (!ahead("<?xml") || (rest().size() > 5 && !is_blank(rest()[5]))) { return true; }
     at += 5;
@@ -74,20 +105,8 @@ XmlCursor::Declared XmlCursor::take_declared(std::string_view name) {
     }
     if (!blank) { return {fail_expected("a blank before " + quoted(name)), false, {}}; }
     at += name.size();
-    skip_blanks();
-    if (!ahead("=")) { return {fail_expected("\"=\" after " + quoted(name)), false, {}}; }
-    ++at;
-    skip_blanks();
-    if (!ahead("\"") && !ahead("'")) {
-        return {fail_expected("the value of " + quoted(name) + " in quotes"), false, {}};
-    }
-    const std::size_t end = text.find(text[at], at + 1);
-    if (end == std::string_view::npos) {
-        return {fail_syntax("the value of " + quoted(name) + " has no closing quote"), false, {}};
-    }
-    const std::string_view value = text.substr(at + 1, end - at - 1);
-    at = end + 1;
-    return {true, true, value};
+    const auto value = take_value(name);
+    return {value.has_value(), value.has_value(), value.value_or(std::string_view())};
 }
 
 bool XmlCursor::fail(const char* id, std::size_t offset, std::string message) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,8 @@ struct XmlCursor {
     bool skip_blanks();
     /// Passes a name; empty if there is none.
     std::string_view take_name();
+    /// Passes the rest of `name = "value"`: the value as written, or none and an error.
+    std::optional<std::string_view> take_value(std::string_view name);
     /// Passes the XML declaration, if there is one; false and an error if it is wrong.
     bool take_declaration();
 

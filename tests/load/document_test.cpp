@@ -69,6 +69,19 @@ TEST_CASE("document: attributes are found by name and keep their order") {
     CHECK(d.attributes_of({1}).begin() == d.attributes_of({1}).end());
 }
 
+TEST_CASE("document: a repeated attribute is found among few and among many") {
+    for (const int n : {2, 40}) {
+        Document d;
+        const ElementId e = d.open({}, "a", {});
+        for (int i = 0; i < n; ++i) {
+            d.add_attribute(e, "x" + std::to_string(i), "", {}, {});
+        }
+        CHECK(d.repeated(e) == nullptr);
+        d.add_attribute(e, "x1", "", {}, {});
+        CHECK(d.repeated(e) == &d.attributes.back());
+    }
+}
+
 TEST_CASE("document: the kind of a file is told by its root") {
     const auto kind = [](std::string_view root) {
         Document d;
