@@ -6,6 +6,7 @@
 #include "core/number.h"
 #include "sim/bridge/episode.h"
 #include "sim/bridge/leaves.h"
+#include "sim/bridge/trace_csv.h"
 #include "support/behaviours.h"
 #include "support/files.h"
 #include "support/goldens.h"
@@ -32,30 +33,18 @@ constexpr int regular = 600;      // ticks from one row to the next where nothin
 constexpr std::int64_t seed = 7;  // of random.Random
 constexpr double tolerance = 1e-9;
 
-void append_row(std::string& text, const EpisodeRow& row) {
-    const Roomba& robot = row.robot;
-    text += std::to_string(row.tick);
-    for (const double number : {row.time, robot.x, robot.y, robot.rotation, robot.v, robot.w}) {
-        text += ',';
-        append_number(text, number);
-    }
-    text += robot.bumper ? ",1," : ",0,";
-    text += row.leaf;
-    text += '\n';
-}
-
 /// The run as CSV, compact.
 std::string trace_of(const Program& program) {
     Episode run(program, {.world = {}, .dt = lab_dt, .random = Random(seed)});
-    std::string text = "tick,t,x,y,rotation,v,w,bumper,leaf\n";
+    std::string text(trace_csv_header);
     EpisodeRow last = run.row();
-    append_row(text, last);
+    append_trace_csv(text, last);
     for (int tick = 1; tick <= ticks; ++tick) {
         const bool went_on = run.tick();
         REQUIRE_MESSAGE(went_on, run.state().fault.message);
         const EpisodeRow row = run.row();
         const bool changed = row.leaf != last.leaf || row.robot.bumper != last.robot.bumper;
-        if (changed || tick % regular == 0) append_row(text, row);
+        if (changed || tick % regular == 0) append_trace_csv(text, row);
         last = row;
     }
     return text;
