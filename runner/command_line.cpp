@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <new>
+#include <optional>
 #include <ostream>
 #include <string_view>
 
@@ -39,6 +40,14 @@ Execute prepare(CLI::App& app) {
     return [arguments](Streams& streams) { return execute(*arguments, streams); };
 }
 
+/// trellis trace diff: the one command that has commands of its own.
+Execute prepare_trace(CLI::App& app) {
+    app.require_subcommand(1);
+    CLI::App* diff = app.add_subcommand("diff", "say where two traces first differ");
+    diff->fallthrough();
+    return prepare<TraceDiffArguments>(*diff);
+}
+
 constexpr std::array commands{
     Command{
         "run", "drive the robot with a behaviour and say what happened",
@@ -50,12 +59,40 @@ constexpr std::array commands{
             "  trellis validate trees/*.xml machines/*.scxml\n"
             "  trellis validate my_tree.xml --format json\n",
             prepare<ValidateArguments>},
+    Command{"convert", "write a file in XML or in JSON, without loss",
+            "  trellis convert trees/roomba.xml roomba.json\n"
+            "  trellis convert my_tree.xml my_tree.xml      (the same, laid out evenly)\n"
+            "  trellis convert - - --to xml < roomba.json\n",
+            prepare<ConvertArguments>},
+    Command{"show", "draw a behaviour",
+            "  trellis show machines/roomba.scxml\n"
+            "  trellis show trees/roomba.xml --svg tree.svg\n"
+            "  trellis show trees/roomba.xml --dot - | dot -Tpdf > tree.pdf\n",
+            prepare<ShowArguments>},
+    Command{"compare", "run two behaviours side by side and say where they part",
+            "  trellis compare machines/roomba.scxml trees/roomba.xml\n"
+            "  trellis compare before.xml after.xml --seeds 20 --time 600\n",
+            prepare<CompareArguments>},
+    Command{"nodes", "list the nodes, leaves and sensors that files can name",
+            "  trellis nodes\n"
+            "  trellis nodes --xml > palette.xml            (Groot2 opens it)\n",
+            prepare<NodesArguments>},
+    Command{"schema", "print the grammar of a kind of file",
+            "  trellis schema tree-xsd > trellis_tree.xsd\n"
+            "  trellis schema machine-json > trellis_machine.schema.json\n",
+            prepare<SchemaArguments>},
+    Command{"trace", "compare recorded runs",
+            "  trellis trace diff before.csv after.csv\n"
+            "  trellis trace diff before.csv after.csv --tolerance 0.001\n",
+            prepare_trace},
 };
 
 constexpr const char* footer =
     "Examples:\n"
     "  trellis run trees/roomba.xml\n"
     "  trellis validate my_tree.xml\n"
+    "  trellis show machines/roomba.scxml --svg machine.svg\n"
+    "  trellis compare machines/roomba.scxml trees/roomba.xml\n"
     "\n"
     "trellis COMMAND --help says more. Exit code: 0 yes or done, 1 no, 2 usage,\n"
     "3 a file cannot be read or written, 4 internal error.";
@@ -82,12 +119,18 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+/// "trellis run", "trellis trace diff".
+std::string full_name(const CLI::App& app) {
+    if (app.get_parent() == nullptr) { return app.get_name(); }
+    return full_name(*app.get_parent()) + ' ' + app.get_name();
+}
+
 /// What is wrong with a word that nothing takes.
 std::string unknown_word(const CLI::App& app, const std::string& word) {
     if (!word.starts_with('-')) { return "there is no use for \"" + word + "\" here"; }
     const std::string name = word.substr(0, word.find('='));
     const std::vector<std::string> names = option_names(app);
-    return app.get_name() + " has no option " + name +
+    return full_name(app) + " has no option " + name +
            suggestion(name, {names.begin(), names.end()});
 }
 
@@ -99,6 +142,8 @@ public:
     Exit run(std::vector<std::string> words, Streams& streams, const Terminal& terminal);
 
 private:
+    std::optional<Exit> check_commands(const std::vector<std::string>& words,
+                                       Streams& streams) const;
     Exit usage(Streams& streams, std::string_view message, const CLI::App& app) const;
     const CLI::App& used() const;
 
@@ -125,32 +170,46 @@ CommandLine::CommandLine() {
 }
 
 const CLI::App& CommandLine::used() const {
-    for (const auto& [sub, execute] : commands_) {
-        if (sub->parsed()) { return *sub; }
+    const CLI::App* used = &app_;
+    while (!used->get_subcommands().empty()) {
+        used = used->get_subcommands().front();
     }
-    return app_;
+    return *used;
 }
 
 Exit CommandLine::usage(Streams& streams, std::string_view message, const CLI::App& app) const {
     complain(streams, Exit::usage, message);
-    streams.err << "try: " << (&app == &app_ ? "" : "trellis ") << app.get_name() << " --help\n";
+    streams.err << "try: " << full_name(app) << " --help\n";
     return Exit::usage;
 }
 
+// The names of commands come first; CLI11 would only say that one is missing. What to return if
+// they make no sense.
+std::optional<Exit> CommandLine::check_commands(const std::vector<std::string>& words,
+                                                Streams& streams) const {
+    const CLI::App* app = &app_;
+    for (std::size_t i = 0;; ++i) {
+        const std::vector<const CLI::App*> subs = app->get_subcommands({});
+        if (subs.empty()) { return {}; }
+        if (i == words.size()) { return usage(streams, "which command?", *app); }
+        if (words[i].starts_with('-')) { return {}; }
+        std::vector<std::string_view> names;
+        const CLI::App* named = nullptr;
+        for (const CLI::App* sub : subs) {
+            if (sub->get_name() == words[i]) { named = sub; }
+            names.emplace_back(sub->get_name());
+        }
+        if (named == nullptr) {
+            return usage(streams,
+                         "there is no command \"" + words[i] + '"' + suggestion(words[i], names),
+                         *app);
+        }
+        app = named;
+    }
+}
+
 Exit CommandLine::run(std::vector<std::string> words, Streams& streams, const Terminal& terminal) {
-    // the name of a command comes first; CLI11 would only say that one is missing
-    std::vector<std::string_view> names;
-    for (const Command& command : commands) {
-        names.emplace_back(command.name);
-    }
-    if (words.empty()) { return usage(streams, "which command?", app_); }
-    if (!words.front().starts_with('-') &&
-        std::find(names.begin(), names.end(), words.front()) == names.end()) {
-        return usage(streams,
-                     "there is no command \"" + words.front() + '"' +
-                         suggestion(words.front(), names),
-                     app_);
-    }
+    if (const std::optional<Exit> exit = check_commands(words, streams)) { return *exit; }
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     try {
         app_.parse(words);

@@ -8,6 +8,8 @@
 #include "runner/episode_arguments.h"
 #include "runner/streams.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,5 +46,65 @@ struct ValidateArguments {
 void add_options(CLI::App& app, ValidateArguments& arguments);
 /// Yes if all files are valid.
 Exit execute(const ValidateArguments& arguments, Streams& streams);
+
+/// trellis compare: two behaviours in the same world with the same random numbers.
+struct CompareArguments {
+    std::string a, b;
+    LoadArguments load;
+    EpisodeArguments episode;
+    std::int64_t seed_count = 0;  ///< --seeds: 0 to N - 1; 0: not given
+    Format format = Format::text;
+};
+void add_options(CLI::App& app, CompareArguments& arguments);
+/// Yes if no pair of runs differs.
+Exit execute(const CompareArguments& arguments, Streams& streams);
+
+/// trellis convert: between the spellings of a document.
+struct ConvertArguments {
+    std::string in;
+    std::string out;
+    std::optional<Document::Spelling> to;  ///< none: by the name of `out`
+};
+void add_options(CLI::App& app, ConvertArguments& arguments);
+/// Yes if `out` was written and says the same as `in`; else it is as it was.
+Exit execute(const ConvertArguments& arguments, Streams& streams);
+
+/// trellis show: pictures of a behaviour file.
+struct ShowArguments {
+    std::string file;
+    std::string svg, dot;  ///< files to write; empty: none
+    bool text = false;     ///< on standard output, as if neither is given
+    bool ascii = false;
+    bool sideways = false;
+    bool program = false;  ///< the compiled program instead of a picture
+    std::string main_tree;
+};
+void add_options(CLI::App& app, ShowArguments& arguments);
+Exit execute(const ShowArguments& arguments, Streams& streams);
+
+/// trellis nodes: what behaviour files can name.
+struct NodesArguments {
+    enum class Spelling : std::uint8_t { text, json, xml };
+    Spelling format = Spelling::text;
+};
+void add_options(CLI::App& app, NodesArguments& arguments);
+Exit execute(const NodesArguments& arguments, Streams& streams);
+
+/// trellis schema: the grammars as schemas.
+struct SchemaArguments {
+    std::string name;  ///< "tree-xsd", "machine-xsd", "tree-json" or "machine-json"
+};
+void add_options(CLI::App& app, SchemaArguments& arguments);
+Exit execute(const SchemaArguments& arguments, Streams& streams);
+
+/// trellis trace diff: whether two recorded runs are the same.
+struct TraceDiffArguments {
+    std::string a, b;
+    double tolerance = 1e-9;
+    Format format = Format::text;
+};
+void add_options(CLI::App& app, TraceDiffArguments& arguments);
+/// Yes if they are the same; file if one cannot be read as a trace.
+Exit execute(const TraceDiffArguments& arguments, Streams& streams);
 
 }  // namespace trellis

@@ -5,6 +5,7 @@
 #include "runner/commands.h"
 #include "runner/event_lines.h"
 #include "runner/run_report.h"
+#include "runner/start_events.h"
 #include "sim/bridge/trace_csv.h"
 #include "sim/trail.h"
 #include "sim/trail_svg.h"
@@ -44,7 +45,6 @@ public:
 
 private:
     void on(const TraceEvent& event) override;
-    void tell_start(const Episode& episode);
     void add_row(const Episode& episode);
     void add_point(const Roomba& before, const State& after);
     std::string picture(const Episode& episode, const std::string& random) const;
@@ -87,15 +87,6 @@ void Run::on(const TraceEvent& event) {
     }
 }
 
-// An episode enters its first states without a sink. The same start once more, with one: equal,
-// because a run is determined by how it begins.
-void Run::tell_start(const Episode& episode) {
-    State state = fresh_state(program_);
-    state.random = episode.setup().random;
-    Roomba robot = at_start(episode.setup().world);
-    start(program_, state, robot, {.dt = episode.setup().dt, .trace = this});
-}
-
 void Run::add_row(const Episode& episode) {
     std::string line;
     for (const TraceFile& trace : traces_) {
@@ -113,7 +104,7 @@ void Run::add_point(const Roomba& before, const State& after) {
 }
 
 bool Run::drive(Episode& episode) {
-    tell_start(episode);
+    trace_start(episode, *this);
     add_row(episode);
     const std::uint64_t ticks = arguments_.episode.tick_count();
     for (std::uint64_t i = 0; i < ticks && written_ && streams_.out; ++i) {
