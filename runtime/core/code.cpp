@@ -22,8 +22,8 @@ std::string print(Operand operand, const CodeTable& code) {
     case Space::constant:
         return operand.index() < code.constants.size() ? print(code.constants[operand.index()])
                                                        : "-";
-    case Space::slot: return "s" + std::to_string(operand.index());
-    case Space::temporary: return "t" + std::to_string(operand.index());
+    case Space::slot: return std::string(1, 's').append(std::to_string(operand.index()));
+    case Space::temporary: return std::string(1, 't').append(std::to_string(operand.index()));
     }
     return {};
 }

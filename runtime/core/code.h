@@ -78,6 +78,9 @@ inline constexpr Operand no_operand;
 /// and only for numbers, so that evaluation can keep it in a register.
 inline constexpr Operand accumulator_operand(Space::temporary, 0);
 
+/// The temporary whose content the code of an <assign> stores: see emit_store() in load/emit.h.
+inline constexpr std::uint32_t stored_temporary = 1;
+
 /// What went wrong. exec/evaluate.h describes it in words.
 enum class EvalErrorKind : std::uint8_t {
     none,

@@ -76,9 +76,6 @@ struct EmitError {
 /// then to be thrown away.
 CodeId emit(const Syntax& syntax, Names& names, CodeTable& code, std::vector<EmitError>& errors);
 
-/// The temporary whose content emit_store()'s code stores.
-inline constexpr std::uint32_t stored_temporary = 1;
-
 /// Machines: code that writes what EvalContext::temporaries[stored_temporary] holds before the
 /// evaluation to `location` (SyntaxMode::location).
 CodeId emit_store(const Syntax& location, Names& names, CodeTable& code,

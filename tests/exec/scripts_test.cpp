@@ -18,8 +18,8 @@ namespace {
 std::string recorded(const Value& v) {
     switch (v.kind()) {
     case Value::Kind::undefined: return "<empty>";
-    case Value::Kind::integer: return "i" + std::to_string(v.as_integer());
-    case Value::Kind::real: return "d" + format_g17(v.as_real());
+    case Value::Kind::integer: return std::string("i").append(std::to_string(v.as_integer()));
+    case Value::Kind::real: return std::string("d").append(format_g17(v.as_real()));
     case Value::Kind::text: return "'" + v.as_text() + "'";
     default: return print(v);
     }

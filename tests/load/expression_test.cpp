@@ -24,11 +24,11 @@ std::string prefix(const Syntax& s, std::uint32_t n) {
     case SyntaxKind::path: text = "(at"; break;
     case SyntaxKind::unary:
     case SyntaxKind::binary:
-    case SyntaxKind::assignment: text = "(" + std::string(name_of(node.op)); break;
+    case SyntaxKind::assignment: text.append("(").append(name_of(node.op)); break;
     case SyntaxKind::comparisons: {
         text = "(";
         for (std::uint32_t i = 0; i + 1 < node.count; ++i)
-            text += std::string(name_of(s.operators[node.index + i])) + ",";
+            text.append(name_of(s.operators[node.index + i])).append(",");
         text.pop_back();
         break;
     }
@@ -39,7 +39,7 @@ std::string prefix(const Syntax& s, std::uint32_t n) {
     case SyntaxKind::sequence: text = "(do"; break;
     }
     for (std::uint32_t child : s.children_of(node))
-        text += " " + prefix(s, child);
+        text.append(" ").append(prefix(s, child));
     return text + ")";
 }
 
@@ -142,8 +142,8 @@ TEST_CASE("expression: nesting is bounded, length is not") {
             CAPTURE(part);
             CHECK(message(repeated(part, 100'000)) == "nested too deeply");
         }
-        CHECK(message("1" + repeated("+1", 200)) == "fine");
-        CHECK(message("1" + repeated("+1", 300)) == "nested too deeply");
+        CHECK(message(repeated("1+", 200) + "1") == "fine");
+        CHECK(message(repeated("1+", 300) + "1") == "nested too deeply");
         CHECK(message(repeated("x := 1;", 20'000)) == "fine");
     }
 }

@@ -39,18 +39,24 @@ std::string json_of(const Value& v) {
 }
 
 std::string text_of(const Value& v) {
-    if (v.is(Kind::array) || v.is(Kind::object)) {
-        std::string list;
-        if (v.is(Kind::array)) {
-            for (const Value& e : v.elements())
-                list += (list.empty() ? "" : ",") + json_of(e);
-            return "[" + list + "]";
-        }
+    std::string list;
+    const auto separator = [&] { return list.size() > 1 ? "," : ""; };
+    if (v.is(Kind::array)) {
+        list += '[';
+        for (const Value& e : v.elements())
+            list.append(separator()).append(json_of(e));
+        return list.append("]");
+    }
+    if (v.is(Kind::object)) {
+        list += '{';
         for (const Member& m : v.members()) {
             if (m.value.is(Kind::undefined)) continue;
-            list += (list.empty() ? "" : ",") + print(Value::text(m.key)) + ":" + json_of(m.value);
+            list.append(separator())
+                .append(print(Value::text(m.key)))
+                .append(":")
+                .append(json_of(m.value));
         }
-        return "{" + list + "}";
+        return list.append("}");
     }
     if (v.is(Kind::text)) return v.as_text();
     if (v.is(Kind::real)) {
