@@ -86,6 +86,9 @@ bool Stepper::read_input(RowId n, std::uint32_t input, std::byte* self) {
     Value& value = s_.inputs[input];
     const bool evaluated = evaluate(p_.code, live.code, context(), value);
     const bool stored = evaluated && store_input(port, value, self);
+    // a <param> that fails is left out (SCXML 5.7)
+    const bool is_param = rows_[rows_[n.index].parent.index].op == Op::invoke;
+    if (!evaluated && is_param) { raise_error(n); }
     if (port.present != Port::always) {
         // for an in/out port the flag says what the leaf assigns
         const bool present = stored && port.direction == PortDirection::input;
@@ -93,11 +96,7 @@ bool Stepper::read_input(RowId n, std::uint32_t input, std::byte* self) {
         return true;
     }
     if (stored) { return true; }
-    // a <param> that fails is left out (SCXML 5.7)
-    if (rows_[rows_[n.index].parent.index].op == Op::invoke) {
-        raise_error(n);
-        return true;
-    }
+    if (is_param) { return true; }
     if (port.type == PortType::any) {
         const Value* unset = nullptr;
         std::memcpy(self + port.offset, &unset, sizeof unset);

@@ -2,6 +2,7 @@
 // active states (MACHINES, "How a machine runs on a robot"). Entering and leaving states is in
 // configuration.cpp. Covered by tests/exec/machine_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "exec/evaluate_rules.h"
 #include "exec/stepper.h"
 
 #include <cstring>
@@ -208,7 +209,7 @@ void Stepper::run_block(BlockId block) {
             if (!execute(p_.code, action.code, context())) { return raise_error({0}); }
             break;
         case Action::Kind::assign:
-            if (!evaluate(p_.code, action.code, context(), s_.temporaries[0]) ||
+            if (!evaluate(p_.code, action.code, context(), s_.temporaries[stored_temporary]) ||
                 !execute(p_.code, action.store, context())) {
                 return raise_error({0});
             }
@@ -246,7 +247,7 @@ bool Stepper::log(const Action& action) {
     std::string text = p_.labels[action.label];
     if (action.code) {
         if (!text.empty()) { text += ": "; }
-        text += value.is(Value::Kind::text) ? value.as_text() : print(value);
+        append_text(text, value);
     }
     trace({.kind = TraceEvent::Kind::log, .row = s_.session.atom, .text = text});
     return true;

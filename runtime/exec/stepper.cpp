@@ -49,6 +49,7 @@ Status Stepper::step_tree(RowId root) {
     Status status = s_.resume ? tick_resumed(root) : tick(root);
     while (while_woken_ && status == Status::running && s_.woken) {
         s_.woken = false;
+        s_.resume = {};
         status = tick(root);
     }
     if (is_done(status)) { store(root, Status::idle); }

@@ -105,48 +105,84 @@ Value Builder::enumerated(Value literal) const {
 
 // Code --------------------------------------------------------------------------------------------
 
-CodeId Builder::expression(const ReadFile& file, const Attribute& attribute, Dialect dialect,
-                           SyntaxMode mode, Names& names) {
-    return expression(file, file.document.string(attribute.value), attribute.value_where, dialect,
-                      mode, names);
+namespace {
+
+Where place_in(const Builder::Text& text, std::size_t offset) {
+    return where_in(text.file->source.text, text.file->document.spelling, text.where, offset);
 }
 
-CodeId Builder::expression(const ReadFile& file, std::string_view text, Where where,
-                           Dialect dialect, SyntaxMode mode, Names& names) {
-    const auto place = [&](std::uint32_t offset) {
-        return where_in(file.source.text, file.document.spelling, where, offset);
-    };
-    ParseError wrong;
-    const std::optional<Syntax> syntax = parse_expression(text, dialect, mode, wrong);
-    if (!syntax) {
-        diagnostics_.error("script-syntax", place(wrong.offset), wrong.message);
-        return {};
+bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace
+
+Where Builder::place_of(const Text& text, std::string_view name) {
+    const std::string_view all = text.text;
+    for (std::size_t at = all.find(name); at != std::string_view::npos;
+         at = all.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        const bool begins = at == 0 || !is_word(all[at - 1]);
+        if (begins && (end == all.size() || !is_word(all[end]))) { return place_in(text, at); }
     }
+    return text.where;
+}
+
+std::string_view Builder::unknown_call(const Text& text) {
+    const std::string_view all = text.text;
+    for (std::size_t open = all.find('('); open != std::string_view::npos;
+         open = all.find('(', open + 1)) {
+        std::size_t begin = open;
+        while (begin != 0 && is_word(all[begin - 1])) {
+            --begin;
+        }
+        const std::string_view word = all.substr(begin, open - begin);
+        const bool name = !word.empty() && (word[0] < '0' || word[0] > '9');
+        if (name && !is_function(word)) { return word; }
+    }
+    return {};
+}
+
+void Builder::report_unknown_call(const Text& text, std::string_view name) {
+    diagnostics_.error("script-meaning", place_of(text, name),
+                       "there is no function \"" + std::string(name) + "\"" +
+                           suggestion(name, function_names()));
+}
+
+std::optional<Syntax> Builder::parse(const Text& text, Dialect dialect, SyntaxMode mode) {
+    ParseError wrong;
+    std::optional<Syntax> syntax = parse_expression(text.text, dialect, mode, wrong);
+    if (syntax) { return syntax; }
+    const std::string_view call = dialect == Dialect::tree ? unknown_call(text) : "";
+    if (!call.empty()) {
+        report_unknown_call(text, call);
+    } else {
+        diagnostics_.error("script-syntax", place_in(text, wrong.offset), wrong.message);
+    }
+    return {};
+}
+
+CodeId Builder::checked(const Text& text, CodeId code, const std::vector<EmitError>& errors) {
+    for (const EmitError& error : errors) {
+        diagnostics_.error("script-meaning", place_in(text, error.offset), error.message);
+    }
+    return code;
+}
+
+CodeId Builder::expression(const Text& text, Dialect dialect, SyntaxMode mode, Names& names) {
+    const std::optional<Syntax> syntax = parse(text, dialect, mode);
+    if (!syntax) { return {}; }
     std::vector<EmitError> errors;
     const CodeId code = emit(*syntax, names, program.code, errors);
-    for (const EmitError& error : errors) {
-        diagnostics_.error("script-meaning", place(error.offset), error.message);
-    }
-    return code;
+    return checked(text, code, errors);
 }
 
-CodeId Builder::store(const ReadFile& file, const Attribute& attribute, Names& names) {
-    const auto place = [&](std::uint32_t offset) {
-        return where_in(file.source.text, file.document.spelling, attribute.value_where, offset);
-    };
-    ParseError wrong;
-    const std::optional<Syntax> location = parse_expression(
-        file.document.string(attribute.value), Dialect::machine, SyntaxMode::location, wrong);
-    if (!location) {
-        diagnostics_.error("script-syntax", place(wrong.offset), wrong.message);
-        return {};
-    }
+CodeId Builder::store(const Text& text, Names& names) {
+    const std::optional<Syntax> location = parse(text, Dialect::machine, SyntaxMode::location);
+    if (!location) { return {}; }
     std::vector<EmitError> errors;
     const CodeId code = emit_store(*location, names, program.code, errors);
-    for (const EmitError& error : errors) {
-        diagnostics_.error("script-meaning", place(error.offset), error.message);
-    }
-    return code;
+    return checked(text, code, errors);
 }
 
 CodeId Builder::constant(Value value, Dialect dialect) {

@@ -13,6 +13,7 @@
 #include "load/load.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,14 +56,30 @@ public:
     /// A literal that is the name of an enumerator becomes its number.
     Value enumerated(Value literal) const;
 
-    /// Compiles the value of an attribute; none, and errors, if it has faults.
-    CodeId expression(const ReadFile& file, const Attribute& attribute, Dialect dialect,
-                      SyntaxMode mode, Names& names);
-    /// The same for a text that begins at `where` in `file`.
-    CodeId expression(const ReadFile& file, std::string_view text, Where where, Dialect dialect,
-                      SyntaxMode mode, Names& names);
+    /// A script or expression in a file: the value of an attribute, or character data.
+    struct Text {
+        const ReadFile* file = nullptr;
+        std::string_view text;  ///< decoded; owned by the file's document
+        Where where;            ///< of its first character
+    };
+    static Text text_of(const ReadFile& file, const Attribute& attribute) {
+        return {&file, file.document.string(attribute.value), attribute.value_where};
+    }
+    static Text text_of(const ReadFile& file, ElementId e) {
+        return {&file, file.document.text(e), file.document.at(e).text_where};
+    }
+    /// Where the name first stands in it as a word; its beginning if it does not.
+    static Where place_of(const Text& text, std::string_view name);
+
+    /// The first word directly before a "(" that is no function, in a tree: BehaviorTree.CPP reads
+    /// two expressions there, but a misspelt function is meant. Empty if there is none.
+    static std::string_view unknown_call(const Text& text);
+    void report_unknown_call(const Text& text, std::string_view name);
+
+    /// Compiles a script or expression; none, and errors, if it has faults.
+    CodeId expression(const Text& text, Dialect dialect, SyntaxMode mode, Names& names);
     /// Compiles where an <assign> writes to: see emit_store().
-    CodeId store(const ReadFile& file, const Attribute& attribute, Names& names);
+    CodeId store(const Text& text, Names& names);
     /// Code whose value is `value`, or what a variable holds.
     CodeId constant(Value value, Dialect dialect);
     CodeId variable(SlotId slot, Dialect dialect);
@@ -79,6 +96,8 @@ public:
     void set_output(const Port& port, SlotId slot);
 
 private:
+    std::optional<Syntax> parse(const Text& text, Dialect dialect, SyntaxMode mode);
+    CodeId checked(const Text& text, CodeId code, const std::vector<EmitError>& errors);
     std::uint32_t next_row() const { return static_cast<std::uint32_t>(program.rows.size()); }
     std::uint32_t port_index(const Port& port) const;
     CodeId add_copy(Operand operand, Dialect dialect);

@@ -285,12 +285,23 @@ private:
                 counted.push_back(child);
                 if (const RuleId found = rule_of_child(child, rule)) {
                     check_element(child, grammar_.at(found));
+                } else if (rule.group && rule.group == grammar_.nodes) {
+                    check_below_unknown(child);
                 }
             }
             namespaces_.leave(mark);
         }
         if (!check_count(e, rule, rule, counted, true) || named == nullptr) { return; }
         check_count(e, rule, *named, counted, false);
+    }
+
+    /// What stands in a node of which nothing is known is nodes all the same.
+    void check_below_unknown(ElementId e) {
+        ElementRule unknown;
+        unknown.name = document_.name(e);
+        unknown.group = grammar_.nodes;
+        unknown.most = ElementRule::many;
+        check_children(e, unknown, nullptr);
     }
 
     /// Whether the number of children is right for `rule`; says so if it is not.

@@ -251,6 +251,7 @@ Grammar tree_grammar(const Registry& registry) {
     builder.attribute(attribute_rule(name, type, presence, initial, doc));
 #define NODE_ATTRIBUTE(name, type, initial, doc)                                                   \
     builder.node_attribute(attribute_rule(name, type, optional, initial, doc));
+#define LATER(element) builder.later(element);
 #include "load/grammar_tree.def"
     add_built_in_nodes(builder);
     add_leaves(builder, registry);

@@ -54,6 +54,12 @@ void give(Builder& builder) {
 
 }  // namespace
 
+FileKind kind_of(const Document& document) {
+    const std::string_view root = document.name(document.root());
+    const bool machine = closest(root, {"root", "scxml"}) == "scxml";
+    return file_kind(document).value_or(machine ? FileKind::machine : FileKind::tree);
+}
+
 std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
                              const LoadOptions& options) {
     const std::uint32_t file = diagnostics.add_file(source.name, source.text);
@@ -76,7 +82,7 @@ std::optional<Program> load(const Source& source, const Registry& registry,
     if (std::optional<Document> document = read(source, diagnostics, options); document) {
         const Grammar trees = tree_grammar(registry);
         Builder builder(registry, trees, diagnostics, options);
-        if (file_kind(*document) == FileKind::machine) {
+        if (kind_of(*document) == FileKind::machine) {
             check(*document, machine_grammar(), diagnostics);
             compile_machine({source, std::move(*document)}, builder);
         } else {

@@ -49,6 +49,9 @@ struct LoadOptions {
 std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
                              const LoadOptions& options = {});
 
+/// What the document is; one with another root is taken for what that resembles more.
+FileKind kind_of(const Document& document);
+
 /// The whole way. Empty if there was any error; `diagnostics` then holds all of them, sorted.
 /// `registry` must outlive the program.
 std::optional<Program> load(const Source& source, const Registry& registry,

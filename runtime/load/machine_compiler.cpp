@@ -81,14 +81,13 @@ void MachineCompiler::collect_variables(ElementId root) {
     for (ElementId e = root; e != document().at(root).end; ++e.index) {
         const Attribute* id = document().name(e) == "data" ? document().find(e, "id") : nullptr;
         if (id == nullptr) { continue; }
-        const std::string_view name = document().string(id->value);
+        const std::string name(document().string(id->value));
         const auto [at, fresh] = scope_.variables.try_emplace(name);
         if (fresh) {
             at->second = builder_.add_slot(name, {0});
         } else {
             builder_.diagnostics().error("duplicate-id", id->value_where,
-                                         "there is already a variable \"" + std::string(name) +
-                                             "\"");
+                                         "there is already a variable \"" + name + "\"");
         }
     }
 }
@@ -101,6 +100,7 @@ void MachineCompiler::state_row(ElementId e, RowId parent) {
     const Attribute* id = document().find(e, parent ? "id" : "name");
     const std::string name =
         id != nullptr ? std::string(document().string(id->value))
+        : !parent     ? std::string("machine")
                       : std::string(element) + '#' + std::to_string(builder_.program.rows.size());
     const Op op = !parent ? Op::machine : element == "final" ? Op::final : Op::state;
     const RowId n = builder_.open(op, parent, name, document().at(e).where, state_count_++);
@@ -184,7 +184,10 @@ void MachineCompiler::fill_state(RowId n) {
     StateInfo state;
     state.first_transition = static_cast<std::uint32_t>(program.transitions.size());
     for (const ElementId c : document().children(e)) {
-        if (document().name(c) == "transition") { transition(c, n); }
+        // one that stands in the root or a final state has been reported
+        if (document().name(c) == "transition" && program.at(n).op == Op::state) {
+            transition(c, n);
+        }
     }
     state.transition_count =
         static_cast<std::uint32_t>(program.transitions.size()) - state.first_transition;
@@ -302,7 +305,8 @@ TransitionId MachineCompiler::initial_of(RowId n) {
         if (program.at(c).op != Op::invoke && !first) { first = c; }
     }
     if (!first) {
-        if (target != nullptr) {
+        // where something else is wrong, the states may be what could not be read
+        if (target != nullptr && builder_.diagnostics().ok()) {
             builder_.diagnostics().error("initial-outside", target->value_where,
                                          "\"" + program.names[n.index] +
                                              "\" has no states to begin in");
@@ -405,9 +409,10 @@ void MachineCompiler::leaf_param(ElementId param, RowId state, const LeafType& t
     }
     if (port->direction == PortDirection::input) { return; }
     const Attribute* location = document().find(param, "location");
-    const auto variable = location == nullptr
-                              ? scope_.variables.end()
-                              : scope_.variables.find(document().string(location->value));
+    const auto variable =
+        location == nullptr
+            ? scope_.variables.end()
+            : scope_.variables.find(std::string(document().string(location->value)));
     if (variable == scope_.variables.end()) {
         diagnostics.error("bad-output", document().at(param).where,
                           "the output \"" + port->name + "\" needs location=\"a variable\"");
@@ -441,8 +446,9 @@ CodeId MachineCompiler::param_code(ElementId param, RowId state) {
 }
 
 CodeId MachineCompiler::expression(const Attribute& attribute, RowId state, SyntaxMode mode) {
-    MachineNames names(builder_, scope_, state, attribute.value_where);
-    return builder_.expression(file_, attribute, Dialect::machine, mode, names);
+    const Builder::Text text = Builder::text_of(file_, attribute);
+    MachineNames names(builder_, scope_, state, text);
+    return builder_.expression(text, Dialect::machine, mode, names);
 }
 
 void compile_machine(ReadFile file, Builder& builder) {

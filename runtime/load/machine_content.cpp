@@ -77,16 +77,17 @@ void MachineCompiler::action(ElementId e, RowId state) {
         if (location == nullptr) { return; }
         const Attribute* value = document().find(e, "expr");
         const CodeId code = value != nullptr ? expression(*value, state) : text_value(e, state);
-        MachineNames names(builder_, scope_, state, location->value_where);
-        const CodeId store = builder_.store(file_, *location, names);
+        const Builder::Text place = Builder::text_of(file_, *location);
+        MachineNames names(builder_, scope_, state, place);
+        const CodeId store = builder_.store(place, names);
         Action& assign = add_action(Action::Kind::assign);
         assign.code = code;
         assign.store = store;
     } else if (name == "script") {
-        MachineNames names(builder_, scope_, state, document().at(e).text_where);
+        const Builder::Text script = Builder::text_of(file_, e);
+        MachineNames names(builder_, scope_, state, script);
         const CodeId code =
-            builder_.expression(file_, document().text(e), document().at(e).text_where,
-                                Dialect::machine, SyntaxMode::script, names);
+            builder_.expression(script, Dialect::machine, SyntaxMode::script, names.of_script());
         add_action(Action::Kind::run).code = code;
     } else if (name == "if") {
         branches(e, state);
@@ -161,7 +162,7 @@ std::vector<BlockId> MachineCompiler::data_blocks(ElementId of, RowId state) {
 
 void MachineCompiler::add_data(ElementId data, RowId state, std::vector<BlockId>& found) {
     Program& program = builder_.program;
-    const auto slot = scope_.variables.find(document().value(data, "id"));
+    const auto slot = scope_.variables.find(std::string(document().value(data, "id")));
     if (slot == scope_.variables.end()) { return; }
     const Attribute* value = document().find(data, "expr");
     const CodeId code = value != nullptr ? expression(*value, state) : text_value(data, state);
@@ -186,9 +187,9 @@ CodeId MachineCompiler::text_value(ElementId e, RowId state) {
     const std::optional<Syntax> syntax =
         parse_expression(text, Dialect::machine, SyntaxMode::single_expression, wrong);
     if (syntax && is_literal(*syntax)) {
-        MachineNames names(builder_, scope_, state, document().at(e).text_where);
-        return builder_.expression(file_, text, document().at(e).text_where, Dialect::machine,
-                                   SyntaxMode::single_expression, names);
+        const Builder::Text literal = Builder::text_of(file_, e);
+        MachineNames names(builder_, scope_, state, literal);
+        return builder_.expression(literal, Dialect::machine, SyntaxMode::single_expression, names);
     }
     std::string normal;
     for (const std::string_view word : words(text)) {

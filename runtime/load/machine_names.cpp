@@ -12,29 +12,44 @@ namespace trellis {
 
 namespace {
 
-template <class Id>
-std::vector<std::string_view> names_in(const std::unordered_map<std::string_view, Id>& table) {
+template <class Table>
+std::vector<std::string_view> names_in(const Table& table) {
     std::vector<std::string_view> names;
     for (const auto& entry : table) {
-        names.push_back(entry.first);
+        names.emplace_back(entry.first);
     }
     std::sort(names.begin(), names.end());  // messages do not depend on hashing
     return names;
 }
 
+/// The one processor there is, under both its names (SCXML 5.10, C.1).
+Value event_processors() {
+    Value location = Value::object();
+    location.set_member("location", Value::text("#_scxml_s1"));
+    Value processors = Value::object();
+    processors.set_member("scxml", location);
+    processors.set_member("http://www.w3.org/TR/scxml/#SCXMLEventProcessor", location);
+    return processors;
+}
+
 }  // namespace
 
-Meaning MachineNames::variable(std::string_view name, Use) {
-    const auto found = scope_.variables.find(name);
+Meaning MachineNames::variable(std::string_view name, Use use) {
+    const auto found = scope_.variables.find(std::string(name));
     if (found != scope_.variables.end()) {
         return {
             .kind = Meaning::Kind::slot, .index = found->second.index, .value = {}, .message = {}};
     }
-    static constexpr std::string_view system[] = {"_event", "_name", "_sessionid"};
+    static constexpr std::string_view system[] = {"_event", "_ioprocessors", "_name", "_sessionid"};
     const auto* known = std::find(std::begin(system), std::end(system), name);
     if (known != std::end(system)) { return system_variable(*known); }
+    if (may_create_ && use != Use::read) {
+        const SlotId slot = builder_.add_slot(name, {0});
+        scope_.variables.emplace(name, slot);
+        return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
+    }
     if (name == "pi") { return {}; }
-    builder_.diagnostics().warning("unknown-name", where_,
+    builder_.diagnostics().warning("unknown-name", builder_.place_of(text_, name),
                                    "no <data> declares \"" + std::string(name) + "\"" +
                                        suggestion(name, names_in(scope_.variables)));
     return {};
@@ -49,6 +64,7 @@ Meaning MachineNames::system_variable(std::string_view name) {
         if (name == "_event") { builder_.program.event_slot = at->second; }
         if (name == "_name") { variable.initial = Value::text(builder_.program.name({0})); }
         if (name == "_sessionid") { variable.initial = Value::text("s1"); }
+        if (name == "_ioprocessors") { variable.initial = event_processors(); }
     }
     return {.kind = Meaning::Kind::read_only_slot,
             .index = at->second.index,
@@ -67,7 +83,7 @@ Meaning MachineNames::state(std::string_view name) {
         return {
             .kind = Meaning::Kind::state, .index = found->second.index, .value = {}, .message = {}};
     }
-    builder_.diagnostics().warning("unknown-name", where_,
+    builder_.diagnostics().warning("unknown-name", builder_.place_of(text_, name),
                                    "there is no state \"" + std::string(name) + "\"" +
                                        suggestion(name, names_in(scope_.states)));
     return {};

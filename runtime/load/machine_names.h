@@ -5,6 +5,7 @@
 
 #include "load/builder.h"
 
+#include <string>
 #include <string_view>
 #include <unordered_map>
 
@@ -13,15 +14,20 @@ namespace trellis {
 /// The names that one machine declares. Variables have one scope; elapsed() depends on the state.
 struct MachineScope {
     std::unordered_map<std::string_view, RowId> states;
-    std::unordered_map<std::string_view, SlotId> variables;
+    std::unordered_map<std::string, SlotId> variables;
     std::unordered_map<std::string_view, SlotId> system;  ///< those that are used
 };
 
 class MachineNames final : public Names {
 public:
     /// For an expression at `where`, inside state row `state`.
-    MachineNames(Builder& builder, MachineScope& scope, RowId state, Where where)
-        : builder_(builder), scope_(scope), state_(state), where_(where) {}
+    MachineNames(Builder& builder, MachineScope& scope, RowId state, Builder::Text text)
+        : builder_(builder), scope_(scope), state_(state), text_(text) {}
+    /// A <script>, which may make variables by assigning to them (SCXML 5.8).
+    MachineNames& of_script() {
+        may_create_ = true;
+        return *this;
+    }
 
     Meaning variable(std::string_view name, Use use) override;
     Meaning sensor(std::string_view name) override { return builder_.sensor(name); }
@@ -34,7 +40,8 @@ private:
     Builder& builder_;
     MachineScope& scope_;
     RowId state_;
-    Where where_;
+    Builder::Text text_;
+    bool may_create_ = false;
 };
 
 }  // namespace trellis

@@ -16,8 +16,8 @@ namespace {
 /// What names mean in the scripts of a tree.
 class TreeNames final : public Names {
 public:
-    TreeNames(Builder& builder, Scopes& scopes, ScopeId scope, Where where)
-        : builder_(builder), scopes_(scopes), scope_(scope), where_(where) {}
+    TreeNames(Builder& builder, Scopes& scopes, ScopeId scope, Builder::Text text)
+        : builder_(builder), scopes_(scopes), scope_(scope), text_(text) {}
 
     Meaning variable(std::string_view name, Use use) override {
         if (use != Use::create) {
@@ -30,11 +30,16 @@ public:
             }
             if (name == "pi" && !scopes_.find(scope_, name)) { return {}; }
         }
+        if (use == Use::read && name == Builder::unknown_call(text_) &&
+            !scopes_.find(scope_, name)) {
+            builder_.report_unknown_call(text_, name);
+            return {};
+        }
         const SlotId slot = scopes_.variable(scope_, name);
         if (use == Use::create) {
             scopes_.written(slot);
         } else {
-            scopes_.needed(slot, where_);
+            scopes_.needed(slot, Builder::place_of(text_, name));
         }
         return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
     }
@@ -55,7 +60,7 @@ private:
     Builder& builder_;
     Scopes& scopes_;
     ScopeId scope_;
-    Where where_;
+    Builder::Text text_;
 };
 
 constexpr std::string_view explicit_forms[] = {"Action", "Condition", "Control", "Decorator"};
@@ -187,9 +192,9 @@ CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::s
                                const Attribute& attribute) {
     const std::string_view value = document(place).string(attribute.value);
     if (type == "script") {
-        TreeNames names(builder_, scopes_, place.scope, attribute.value_where);
-        return builder_.expression(*place.file, attribute, Dialect::tree, SyntaxMode::script,
-                                   names);
+        const Builder::Text script = Builder::text_of(*place.file, attribute);
+        TreeNames names(builder_, scopes_, place.scope, script);
+        return builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
     }
     if (is_pointer(value)) {
         const SlotId slot = scopes_.variable(place.scope, pointer_key(value, name));
@@ -255,9 +260,9 @@ void TreeCompiler::conditions(const Place& place, RowId n) {
     for (const auto& [name, member] : all) {
         const Attribute* attribute = document(place).find(place.element, name);
         if (attribute == nullptr || attribute->value.size == 0) { continue; }
-        TreeNames names(builder_, scopes_, place.scope, attribute->value_where);
-        found.*member =
-            builder_.expression(*place.file, *attribute, Dialect::tree, SyntaxMode::script, names);
+        const Builder::Text script = Builder::text_of(*place.file, *attribute);
+        TreeNames names(builder_, scopes_, place.scope, script);
+        found.*member = builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
     }
     if (found == Conditions()) { return; }
     builder_.program.rows[n.index].conditional = true;

@@ -59,7 +59,9 @@ TEST_CASE("check: a good tree and a good machine have no findings") {
 
 TEST_CASE("check: unknown nodes and attributes come with a suggestion") {
     CHECK(tree("<Sequnce><MoveForward sped='1'/></Sequnce>") ==
-          "2:2 unknown node \"Sequnce\"; did you mean \"Sequence\"? [unknown-node]\n");
+          "2:2 unknown node \"Sequnce\"; did you mean \"Sequence\"? [unknown-node]\n"
+          "2:23 MoveForward has no attribute \"sped\"; did you mean \"speed\"? "
+          "[unknown-attribute]\n");
     CHECK(tree("<MoveForward sped='1'/>") == "2:14 MoveForward has no attribute \"sped\"; did you "
                                              "mean \"speed\"? [unknown-attribute]\n");
     CHECK(tree("<MoveForward _skipif='x'/>") ==

@@ -1,36 +1,40 @@
-// Reads and checks a text. Covered by tests/load/faults_test.cpp.
+// Loads a text and keeps what was found. Covered by tests/load/faults_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "support/diagnose.h"
 
-#include "load/check.h"
-#include "load/grammar.h"
-#include "load/json.h"
-#include "load/xml.h"
+#include "load/load.h"
+#include "support/files.h"
 
+#include <filesystem>
 #include <optional>
 
 namespace trellis::test {
 
+namespace {
+
+/// Files are included from the corpus.
+class Corpus final : public SourceReader {
+public:
+    std::optional<Source> read(std::string_view path, std::string_view, std::string_view) override {
+        const auto file = std::filesystem::path(TRELLIS_SOURCE_DIR) / "tests/faults" / path;
+        if (!std::filesystem::is_regular_file(file)) { return {}; }
+        return Source{std::string(path), read_file(file)};
+    }
+};
+
+}  // namespace
+
 Findings diagnose(const std::string& name, std::string_view text, const Registry& registry) {
+    const Source source{name, std::string(text)};
+    Corpus corpus;
+    const LoadOptions options{.reader = &corpus};
     Findings out;
-    const std::uint32_t file = out.diagnostics.add_file(name, text);
-    std::optional<Document> document;
-    if (name.ends_with(".json")) {
-        if (const auto json = parse_json(text, file, out.diagnostics)) {
-            out.kind = json_kind(*json).value_or(FileKind::tree);
-            document = document_from_json(*json, out.kind, out.diagnostics);
-        }
-    } else if ((document = read_xml(text, file, out.diagnostics))) {
-        const bool machine =
-            closest(document->name(document->root()), {"root", "scxml"}) == "scxml";
-        out.kind = file_kind(*document).value_or(machine ? FileKind::machine : FileKind::tree);
-    }
-    if (document) {
+    Diagnostics reading;
+    if (const std::optional<Document> document = read(source, reading, options)) {
         out.readable = true;
-        const bool machine = out.kind == FileKind::machine;
-        check(*document, machine ? machine_grammar() : tree_grammar(registry), out.diagnostics);
+        out.kind = kind_of(*document);
     }
-    out.diagnostics.sort();
+    static_cast<void>(load(source, registry, out.diagnostics, options));
     return out;
 }
 
