@@ -219,9 +219,13 @@ Exit CommandLine::run(std::vector<std::string> words, Streams& streams, const Te
     } catch (const CLI::CallForVersion& version) {
         streams.out << version.what() << '\n';
         return Exit::yes;
-    } catch (const CLI::ExtrasError&) {
-        return usage(streams, unknown_word(used(), app_.remaining(true).front()), used());
-    } catch (const CLI::ParseError& error) { return usage(streams, error.what(), used()); }
+    } catch (const CLI::ParseError& error) {
+        // a word that nothing takes explains more than what is missing
+        const std::vector<std::string> unknown = app_.remaining(true);
+        return usage(streams,
+                     unknown.empty() ? error.what() : unknown_word(used(), unknown.front()),
+                     used());
+    }
     streams.colour = coloured(colour_, terminal);
     for (const auto& [sub, execute] : commands_) {
         if (sub->parsed()) { return execute(streams); }

@@ -67,10 +67,16 @@ std::string parting_text(const Match& match) {
     return out;
 }
 
+/// Counts of a single run are whole; lengths are told to the millimetre.
+int digits(const Statistic& statistic, bool several) {
+    if (statistic.unit == "m") { return 3; }
+    return statistic.unit.empty() && !several ? 0 : 1;
+}
+
 std::string cell(const Statistic& statistic, bool has, const Spread& spread, bool several) {
     if (!has) { return "-"; }
-    std::string out = fixed(spread.mean, statistic.unit.empty() && !several ? 0 : 1);
-    if (several) { out += " ± " + fixed(spread.deviation, 1); }
+    std::string out = fixed(spread.mean, digits(statistic, several));
+    if (several) { out += " ± " + fixed(spread.deviation, digits(statistic, several)); }
     return statistic.unit.empty() ? out : out + ' ' + statistic.unit;
 }
 

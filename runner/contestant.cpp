@@ -22,6 +22,8 @@ bool Contestant::tick() {
     happenings_.clear();
     if (!episode_.tick(this)) { return false; }
     tally_.tick(episode_);
+    // the first leaf of a tree begins with the run, as the first state of a machine does
+    if (!row_before_ && happenings_.size() == 1) { happenings_.clear(); }
     return true;
 }
 
@@ -54,7 +56,9 @@ void Contestant::on_status(const TraceEvent& event) {
                                .status = event.to,
                                .ticks = event.tick + 1 - first});
     }
-    if (event.from == Status::running && event.to == Status::idle) {
+    // a final state is left because the machine has ended, not for another one
+    const bool is_final = entrant_->program.at(event.row).op == Op::final;
+    if (event.from == Status::running && event.to == Status::idle && !is_final) {
         happenings_.push_back(
             {.kind = Happening::Kind::left, .row = event.row, .ticks = event.tick - first});
     }

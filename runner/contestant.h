@@ -46,7 +46,7 @@ public:
     const Entrant& entrant() const { return *entrant_; }
     const Episode& episode() const { return episode_; }
     const Tally& tally() const { return tally_; }
-    /// What happened in the last tick, in order.
+    /// What happened in the last tick, in order; that the run itself began is not among it.
     const std::vector<Happening>& happenings() const { return happenings_; }
     /// Where the run is now, and was one tick earlier; none before the first tick of a tree.
     RowId row() const { return entrant_->labels.row(episode_.state()); }

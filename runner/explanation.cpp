@@ -135,8 +135,8 @@ std::string conclusion(const Contestant& gone, const Contestant& waiting,
                        const std::optional<Contestant>& later) {
     const std::string to = name(gone, gone.row());
     if (!later || name(*later, later->row()) != to) {
-        return "So " + gone.entrant().file + " is in " + to + " and " + waiting.entrant().file +
-               " is not.";
+        return "So " + gone.entrant().file + " is now in " + to + ", and " +
+               waiting.entrant().file + " still in " + name(waiting, waiting.row()) + ".";
     }
     const std::uint64_t delay = later->episode().state().tick - waiting.episode().state().tick;
     return "So the step to " + to + " comes " + ticks(delay) + " later in " +

@@ -20,7 +20,8 @@ bool is_atomic_state(const Program& program, RowId n) {
 }
 
 bool is_leaf(const Program& program, RowId n) {
-    return program.at(n).op == Op::action || program.at(n).op == Op::condition;
+    const OpGroup group = op_table()[program.at(n).op].group;
+    return group == OpGroup::action || group == OpGroup::condition;
 }
 
 RowId innermost_subtree(const Program& program, RowId leaf) {

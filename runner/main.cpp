@@ -4,17 +4,53 @@
 #include "runner/command_line.h"
 #include "runner/disk_files.h"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <unistd.h>
 #include <vector>
 
 namespace {
+
+/// Standard output with a memory for why it failed, which std::cout has not.
+class StandardOutput : public std::streambuf {
+public:
+    StandardOutput() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+    /// errno of the first write that failed; 0 if none did.
+    int error() const { return error_; }
+
+protected:
+    int sync() override {
+        const char* at = pbase();
+        while (at != pptr() && error_ == 0) {
+            const ssize_t n = ::write(STDOUT_FILENO, at, static_cast<std::size_t>(pptr() - at));
+            if (n >= 0) {
+                at += n;
+            } else if (errno != EINTR) {
+                error_ = errno;
+            }
+        }
+        setp(buffer_.data(), buffer_.data() + buffer_.size());
+        return error_ == 0 ? 0 : -1;
+    }
+    int_type overflow(int_type c) override {
+        if (sync() != 0) { return traits_type::eof(); }
+        return traits_type::eq_int_type(c, traits_type::eof())
+                   ? traits_type::not_eof(c)
+                   : sputc(traits_type::to_char_type(c));
+    }
+
+private:
+    std::array<char, 1 << 16> buffer_;
+    int error_ = 0;
+};
 
 trellis::Terminal terminal() {
     const auto set = [](const char* name) {
@@ -33,16 +69,17 @@ int main(int argc, char** argv) {
     // a reader that goes away is a failed write, not a signal
     std::signal(SIGPIPE, SIG_IGN);
     std::ios::sync_with_stdio(false);
+    StandardOutput output;
+    std::ostream out(&output);
     trellis::DiskFiles files;
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
     const trellis::Exit exit =
-        trellis::run_program(words, {std::cin, std::cout, std::cerr, files}, terminal());
-    errno = 0;
-    if (!std::cout.flush()) {
-        if (errno != EPIPE && errno != 0) {
-            std::cerr << "trellis: cannot write standard output: " << std::strerror(errno) << '\n';
-        }
-        return static_cast<int>(trellis::Exit::file);
+        trellis::run_program(words, {std::cin, out, std::cerr, files}, terminal());
+    out.flush();
+    if (output.error() == 0) { return static_cast<int>(exit); }
+    if (output.error() != EPIPE) {
+        std::cerr << "trellis: cannot write standard output: " << std::strerror(output.error())
+                  << '\n';
     }
-    return static_cast<int>(exit);
+    return static_cast<int>(trellis::Exit::file);
 }
