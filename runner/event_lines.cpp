@@ -6,29 +6,14 @@
 
 namespace trellis {
 
-std::string_view event_word(TraceEvent::Kind kind) {
-    switch (kind) {
-    case TraceEvent::Kind::tick: return "tick";
-    case TraceEvent::Kind::halt: return "halt";
-    case TraceEvent::Kind::enter: return "enter";
-    case TraceEvent::Kind::leave: return "leave";
-    case TraceEvent::Kind::transition: return "transition";
-    case TraceEvent::Kind::log: return "log";
-    case TraceEvent::Kind::error: return "error";
-    case TraceEvent::Kind::status:
-    case TraceEvent::Kind::event: break;
-    }
-    return {};
-}
-
 void append_event_line(std::string& out, const Program& program, const TraceEvent& event) {
-    const std::string_view word = event_word(event.kind);
-    if (word.empty()) { return; }
+    using Kind = TraceEvent::Kind;
+    if (event.kind == Kind::status || event.kind == Kind::event) { return; }
     JsonWriter json(JsonWriter::Layout::one_line);
-    json.begin_object().count("tick", event.tick).text("event", word);
+    json.begin_object().count("tick", event.tick).text("event", name_of(event.kind));
     if (event.row) { json.count("row", event.row.index).text("name", program.name(event.row)); }
-    if (event.kind == TraceEvent::Kind::tick) { json.text("status", name_of(event.to)); }
-    if (event.kind == TraceEvent::Kind::transition) {
+    if (event.kind == Kind::tick) { json.text("status", name_of(event.to)); }
+    if (event.kind == Kind::transition) {
         const Transition& transition = program.transitions[event.transition.index];
         json.count("index", event.transition.index).begin_array("to");
         for (std::uint32_t i = 0; i < transition.target_count; ++i) {

@@ -7,19 +7,15 @@
 #include "core/trace.h"
 
 #include <string>
-#include <string_view>
 
 namespace trellis {
-
-/// How event lines call a kind of event: "tick", "halt", "enter", "leave", "transition", "log",
-/// "error"; empty for kinds that have no line (stored statuses, and events taken from a queue).
-std::string_view event_word(TraceEvent::Kind kind);
 
 /// Appends the event as a line with the members tick, event, row and name, and by kind
 ///   tick        status: what the leaf returned
 ///   transition  index: which of the program's; to: the targets' names
 ///   log, error  text
-/// or nothing if its kind has no line.
+/// or nothing for a stored status and for an event taken from a queue, which follow from the
+/// others.
 void append_event_line(std::string& out, const Program& program, const TraceEvent& event);
 
 }  // namespace trellis
