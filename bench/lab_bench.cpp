@@ -65,6 +65,8 @@ void from_file(benchmark::State& state, const std::string& name) {
 }
 BENCHMARK_CAPTURE(from_file, machine, "machines/roomba.scxml")->Name("lab step/roomba.scxml");
 BENCHMARK_CAPTURE(from_file, tree, "trees/roomba.xml")->Name("lab step/roomba.xml");
+BENCHMARK_CAPTURE(from_file, primitives, "trees/roomba_primitives.xml")
+    ->Name("lab step/roomba_primitives.xml");
 
 /// Steady RUNNING: the robot never meets a wall and no time is up.
 void tick_alone(benchmark::State& state, const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include "core/number.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -71,6 +72,11 @@ bool to_integer(const Value& value, std::int64_t& result) {
     if (value.is(Value::Kind::integer) || value.is(Value::Kind::boolean)) {
         result = value.is(Value::Kind::boolean) ? value.as_boolean() : value.as_integer();
         return true;
+    }
+    if (value.is(Value::Kind::text)) {
+        const std::string& text = value.as_text();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+        if (error == std::errc() && end == text.data() + text.size()) { return true; }
     }
     double real = 0.0;
     constexpr double limit = 9223372036854775808.0;  // 2^63
@@ -166,6 +172,18 @@ bool write_entry(PortType type, const Value& value, Value& slot, EntryType& entr
               std::string(kinds[static_cast<std::size_t>(entry)]);
     }
     return fits;
+}
+
+bool store_output(const Port& port, const std::byte* leaf, Value& slot, EntryType& entry,
+                  std::string& why) {
+    const bool takes_text =
+        entry == EntryType::missing || entry == EntryType::any || entry == EntryType::text;
+    if (port.type != PortType::text || !takes_text) {
+        return write_entry(port.type, load_output(port, leaf), slot, entry, why);
+    }
+    if (entry == EntryType::missing) { entry = EntryType::text; }
+    slot.set_text(get<std::string_view>(leaf + port.offset));
+    return true;
 }
 
 }  // namespace trellis

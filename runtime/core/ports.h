@@ -31,6 +31,11 @@ Value load_output(const Port& port, const std::byte* leaf);
 bool write_entry(PortType type, const Value& value, Value& slot, EntryType& entry,
                  std::string& why);
 
+/// Stores what the output or in/out member of `port` holds into a variable, as write_entry() does;
+/// a text reuses the variable's buffer.
+bool store_output(const Port& port, const std::byte* leaf, Value& slot, EntryType& entry,
+                  std::string& why);
+
 /// The entry type that a port of that type gives a variable it creates.
 EntryType entry_type(PortType type);
 

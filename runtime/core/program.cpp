@@ -209,12 +209,13 @@ bool operator==(const Program& a, const Program& b) {
     return a.rows == b.rows && a.names == b.names && a.slots == b.slots &&
            a.code.instructions == b.code.instructions && a.code.constants == b.code.constants &&
            a.code.guards == b.code.guards && a.calls == b.calls && a.live_inputs == b.live_inputs &&
-           a.bound_outputs == b.bound_outputs && a.prototypes == b.prototypes &&
-           a.ports == b.ports && a.conditions == b.conditions && a.states == b.states &&
-           a.transitions == b.transitions && a.targets == b.targets && a.events == b.events &&
-           a.descriptors == b.descriptors && a.actions == b.actions && a.blocks == b.blocks &&
-           a.labels == b.labels && a.invokes == b.invokes && a.params == b.params &&
-           a.tick_event == b.tick_event && a.error_event == b.error_event &&
+           a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
+           a.quiet_guards == b.quiet_guards && a.bound_outputs == b.bound_outputs &&
+           a.prototypes == b.prototypes && a.ports == b.ports && a.conditions == b.conditions &&
+           a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&
+           a.events == b.events && a.descriptors == b.descriptors && a.actions == b.actions &&
+           a.blocks == b.blocks && a.labels == b.labels && a.invokes == b.invokes &&
+           a.params == b.params && a.tick_event == b.tick_event && a.error_event == b.error_event &&
            a.event_slot == b.event_slot && a.has_eventless == b.has_eventless && a.host == b.host;
 }
 

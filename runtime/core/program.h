@@ -77,10 +77,34 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
+/// A number that follows from elapsed() or a real sensor by arithmetic with literals, as speeds and
+/// turn rates of robots do: computed without evaluating code. Each step takes the last result.
+struct Formula {
+    enum class Source : std::uint8_t { elapsed_since, elapsed_count, sensor };
+
+    Source source = Source::elapsed_since;
+    std::uint32_t at = 0;                          ///< the row, or the byte of the host
+    std::uint32_t first_step = 0, step_count = 0;  ///< Program::formula_steps
+
+    friend bool operator==(const Formula&, const Formula&) = default;
+};
+
+/// add, subtract, multiply or divide: result = result op literal, or literal op result.
+struct FormulaStep {
+    CodeOp op = CodeOp::add;
+    bool literal_first = false;
+    double literal = 0.0;
+
+    friend bool operator==(const FormulaStep&, const FormulaStep&) = default;
+};
+
+using FormulaId = Id<struct FormulaTag>;  ///< Program::formulas
+
 /// One input of one leaf that is evaluated before each tick. Literals are in the prototype instead.
 struct LiveInput {
     std::uint32_t port = 0;  ///< index into LeafType::ports
     CodeId code;
+    FormulaId formula;  ///< says the same, for a plain real port; none if it has no such form
 
     friend bool operator==(const LiveInput&, const LiveInput&) = default;
 };
@@ -155,6 +179,10 @@ struct StateInfo {
     std::uint32_t first_exit = 0, exit_count = 0;    ///< Program::blocks: <onexit>, in order
     TransitionId initial;  ///< compound states and machines: where they begin; else none
     RowId outer;           ///< the next state around it that has transitions; none if there is none
+    /// Program::quiet_guards: the guards that the event `tick` asks in this state and around it, in
+    /// order, if none of them needs code; then the state is quiet in a cycle in which none holds.
+    std::uint32_t first_guard = 0, guard_count = 0;
+    bool may_be_quiet = false;
     std::uint32_t invokes = 0;  ///< number of invoke rows; they precede the states among children
     EventId done;               ///< compound states: done.state.ID
 
@@ -219,6 +247,8 @@ struct Program {
     CodeTable code;               ///< every expression and script
     std::vector<LeafCall> calls;  ///< Row::arg of action and condition
     std::vector<LiveInput> live_inputs;
+    std::vector<Formula> formulas;
+    std::vector<FormulaStep> formula_steps;
     std::vector<BoundOutput> bound_outputs;
     std::vector<std::byte> prototypes;  ///< leaf structs as they are on entry, back to back
     std::vector<CodeId> ports;  ///< inputs of built-in nodes: Row::arg of repeat, script, …
@@ -227,6 +257,7 @@ struct Program {
 
     std::vector<StateInfo> states;
     std::vector<Transition> transitions;
+    std::vector<Condition> quiet_guards;
     std::vector<RowId> targets;
     std::vector<EventName> events;
     std::vector<EventId> descriptors;

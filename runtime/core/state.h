@@ -59,7 +59,6 @@ struct Session {
     /// The first event of each that is not yet taken; a queue without such events is emptied.
     std::uint32_t internal_next = 0, external_next = 0;
     std::uint32_t clock = 0;  ///< cycles in which activities ran, the current one once they begin
-    EventId bound;            ///< what `_event` is now, if it has nothing but a name; else none
     RowId final;              ///< the top-level final state that ended it; else none
 
     friend bool operator==(const Session&, const Session&) = default;

@@ -146,6 +146,14 @@ const Value* Value::member(std::string_view key) const {
     return found != nullptr ? &found->value : nullptr;
 }
 
+Value& Value::flat_member(std::string_view key) {
+    if (member(key) == nullptr) { static_cast<void>(set_member(key, {})); }
+    for (Member& found : *payload_.object) {
+        if (found.key == key) { return found.value; }
+    }
+    return *this;  // not reached: the member is there
+}
+
 bool Value::append(Value value) {
     assert(kind_ == Kind::array);
     if (value.depth_ >= max_depth) return false;

@@ -118,6 +118,10 @@ public:
     /// than max_depth.
     bool set_member(std::string_view key, Value value);
 
+    /// The member called `key` of an object, made undefined if it has none: to be set in place, to
+    /// scalars and texts only.
+    Value& flat_member(std::string_view key);
+
     /// Writes `value` to the place below this value that `keys` name: texts for members of objects,
     /// whole numbers for elements of arrays. The last key may name a new member of an object.
     /// False, and no change, if there is no such place or it would nest deeper than max_depth.

@@ -5,7 +5,6 @@
 #include "exec/evaluate_rules.h"
 #include "exec/stepper.h"
 
-#include <cstring>
 #include <utility>
 
 namespace trellis {
@@ -23,35 +22,52 @@ void Stepper::start_machine() {
 Status Stepper::tick_machine(RowId m) {
     Session& session = s_.session;
     if (!s_.started) { start_machine(); }
-    if (!at_rest()) { settle(); }
-
-    // what was waiting comes before this cycle's tick, what arises now comes after it
-    if (!session.external.empty()) {
-        for (std::size_t waiting = session.external.size() - session.external_next;
-             waiting != 0 && running(); --waiting) {
-            take_next_external();
+    if (!is_quiet()) {
+        take_events();
+        if (s_.fault) { return Status::idle; }
+        if (session.final) {
+            leave_all();
+            store(m, Status::idle);
+            return p_.name(session.final) == "failure" ? Status::failure : Status::success;
         }
     }
+    ++session.clock;
+    if (context_) { context_->cycle = session.clock; }
+    tick_invokes();
+    return s_.fault ? Status::idle : Status::running;
+}
+
+// Whether nothing but the event `tick` is there, and no transition answers it: the common cycle.
+bool Stepper::is_quiet() const {
+    const Session& session = s_.session;
+    const StateInfo& state = p_.states[rows_[session.atom.index].arg];
+    if (!state.may_be_quiet || !session.external.empty() || !session.internal.empty() ||
+        trace_ != nullptr || p_.event_slot) {
+        return false;
+    }
+    const Condition* const first = p_.quiet_guards.data() + state.first_guard;
+    for (const Condition* guard = first; guard != first + state.guard_count; ++guard) {
+        if (answer(*guard).value_or(true)) { return false; }
+    }
+    return true;
+}
+
+void Stepper::take_events() {
+    Session& session = s_.session;
+    if (!at_rest()) { settle(); }
+    // what was waiting comes before this cycle's tick, what arises now comes after it
+    for (std::size_t waiting = session.external.size() - session.external_next;
+         waiting != 0 && running(); --waiting) {
+        take_next_external();
+    }
     if (p_.tick_event && running()) {
-        if (trace_ != nullptr || p_.event_slot) {
-            bind({.name = p_.tick_event, .type = Event::Type::external});
-        }
+        bind({.name = p_.tick_event, .type = Event::Type::external});
         microstep(p_.tick_event);
         if (!at_rest()) { settle(); }
     }
     while (!session.external.empty() && running()) {
         take_next_external();
     }
-    if (s_.fault) { return Status::idle; }
-    if (session.final) {
-        leave_all();
-        store(m, Status::idle);
-        return p_.name(session.final) == "failure" ? Status::failure : Status::success;
-    }
-    ++session.clock;
-    if (context_) { context_->cycle = session.clock; }
-    if (!session.invokes.empty()) { tick_invokes(); }
-    return s_.fault ? Status::idle : Status::running;
 }
 
 void Stepper::take_next_external() {
@@ -91,30 +107,34 @@ void Stepper::settle() {
     }
 }
 
-// Makes an event what `_event` means until the next one (SCXML 5.10.1). One like the last is there
-// already, so that ticks do not allocate.
+// Makes an event what `_event` means until the next one (SCXML 5.10.1). Written in place, so that
+// events without data allocate nothing.
 void Stepper::bind(const Event& event) {
     trace({.kind = TraceEvent::Kind::event, .row = {0}, .event = event.name});
     if (!p_.event_slot) { return; }
-    const bool plain = event.data.is(Value::Kind::undefined) && !event.invoke &&
-                       event.unknown.is(Value::Kind::undefined) && event.name == p_.tick_event;
-    if (plain && s_.session.bound == event.name) { return; }
-    s_.session.bound = plain ? event.name : EventId();
-
     static constexpr std::string_view types[] = {"internal", "external", "platform"};
     Value& bound = s_.slots[p_.event_slot.index];
-    bound.set_object();
-    bound.set_member("name", event.unknown.is(Value::Kind::text)
-                                 ? event.unknown
-                                 : Value::text(p_.events[event.name.index].text));
-    bound.set_member("type", Value::text(types[static_cast<std::size_t>(event.type)]));
-    for (const std::string_view unset : {"sendid", "origin", "origintype"}) {
-        bound.set_member(unset, {});
+    if (!bound.is(Value::Kind::object)) {
+        bound.set_object();
+        for (const std::string_view unset : {"name", "type", "sendid", "origin", "origintype"}) {
+            bound.set_member(unset, {});
+        }
     }
-    bound.set_member("invokeid", event.invoke
-                                     ? Value::text(p_.invokes[rows_[event.invoke.index].arg].id)
-                                     : Value());
-    bound.set_member("data", event.data);
+    bound.flat_member("name").set_text(event.unknown.is(Value::Kind::text)
+                                           ? event.unknown.as_text()
+                                           : p_.events[event.name.index].text);
+    bound.flat_member("type").set_text(types[static_cast<std::size_t>(event.type)]);
+    if (event.invoke) {
+        const InvokeInfo& invoke = p_.invokes[rows_[event.invoke.index].arg];
+        bound.flat_member("invokeid").set_text(invoke.id);
+        Value data = Value::object();
+        data.set_member("status",
+                        Value::text(event.name == invoke.done_success ? "success" : "failure"));
+        bound.set_member("data", std::move(data));
+    } else {
+        bound.flat_member("invokeid").set_undefined();
+        bound.set_member("data", event.data);
+    }
 }
 
 // Selection ---------------------------------------------------------------------------------------
@@ -144,25 +164,8 @@ TransitionId Stepper::enabled(RowId atom, EventId event) {
 }
 
 bool Stepper::holds(RowId n, const Condition& condition) {
-    switch (condition.form) {
-    case Condition::Form::always: return true;
-    case Condition::Form::sensor: {
-        bool sensed = false;
-        std::memcpy(&sensed, static_cast<const std::byte*>(host_) + condition.at, sizeof sensed);
-        return sensed;
-    }
-    case Condition::Form::elapsed: {
-        double limit = condition.limit;
-        if (condition.variable) {
-            const Value& variable = s_.slots[condition.variable.index];
-            if (!variable.is(Value::Kind::real)) { break; }
-            limit = variable.as_real();
-        }
-        return (s_.session.clock - memory_[condition.at]) * tick_.dt > limit;
-    }
-    case Condition::Form::code: break;
-    }
-    return holds(n, condition.code);
+    const std::optional<bool> known = answer(condition);
+    return known ? *known : holds(n, condition.code);
 }
 
 // A condition that fails raises error.execution and is false (SCXML 5.9.1).
@@ -209,10 +212,7 @@ void Stepper::run_block(BlockId block) {
             if (!execute(p_.code, action.code, context())) { return raise_error({0}); }
             break;
         case Action::Kind::assign:
-            if (!evaluate(p_.code, action.code, context(), s_.temporaries[stored_temporary]) ||
-                !execute(p_.code, action.store, context())) {
-                return raise_error({0});
-            }
+            if (!assign(action)) { return raise_error({0}); }
             break;
         case Action::Kind::initialise:
             if (!initialise(action)) { return raise_error({0}); }
@@ -227,6 +227,15 @@ void Stepper::run_block(BlockId block) {
         case Action::Kind::jump: i = action.go_to.index - 1; break;
         }
     }
+}
+
+// To a variable directly; to a place below one through the temporary that its code stores.
+bool Stepper::assign(const Action& action) {
+    if (action.slot) {
+        return evaluate(p_.code, action.code, context(), s_.slots[action.slot.index]);
+    }
+    return evaluate(p_.code, action.code, context(), s_.temporaries[stored_temporary]) &&
+           execute(p_.code, action.store, context());
 }
 
 // Gives a variable its first value, once, unless the host has given it one (SCXML 5.3).
@@ -262,33 +271,35 @@ void Stepper::raise_error(RowId n) {
 
 // Activities --------------------------------------------------------------------------------------
 
-// Ticks what runs in the active states, in document order. What ends is told to the next cycle.
+// Ticks what runs in the active states, in document order.
 void Stepper::tick_invokes() {
-    std::vector<RowId>& running = s_.session.invokes;
-    std::size_t kept = 0;
-    for (const RowId n : running) {
+    bool ended = false;
+    for (const RowId n : s_.session.invokes) {
         const RowId body = first_child(n);
         if (rows_[body.index].op == Op::tree) { pass_params(p_.invokes[rows_[n.index].arg]); }
         const Status status =
             status_[body.index] == Status::running ? tick_again(body) : tick(body);
         if (status == Status::idle) { return; }
-        if (!is_done(status)) {
-            running[kept++] = n;
-            continue;
-        }
-        reset(body);
-        store(n, status);
-        const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
-        Event event{.name = status == Status::success ? invoke.done_success : invoke.done_failure,
-                    .type = Event::Type::external,
-                    .invoke = n,
-                    .activation = memory_[n.index]};
-        event.data.set_object();
-        event.data.set_member("status",
-                              Value::text(status == Status::success ? "success" : "failure"));
-        s_.session.external.push_back(std::move(event));
+        ended = ended || is_done(status);
     }
-    running.resize(kept);
+    if (!ended) { return; }
+    for (const RowId n : s_.session.invokes) {
+        if (is_done(status_[first_child(n).index])) { end_invoke(n); }
+    }
+    std::erase_if(s_.session.invokes, [&](RowId n) { return status_[n.index] != Status::running; });
+}
+
+// What ends is told to the next cycle.
+void Stepper::end_invoke(RowId n) {
+    const Status status = status_[first_child(n).index];
+    reset(first_child(n));
+    store(n, status);
+    const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
+    const bool success = status == Status::success;
+    s_.session.external.push_back({.name = success ? invoke.done_success : invoke.done_failure,
+                                   .type = Event::Type::external,
+                                   .invoke = n,
+                                   .activation = memory_[n.index]});
 }
 
 // Gives a tree the current values of its parameters; one that fails keeps its last value.

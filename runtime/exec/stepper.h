@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -120,12 +121,14 @@ private:
     void halt_leaf(RowId n);
     void point_inputs(const LeafCall& call, std::byte* self);
     bool read_inputs(RowId n, const LeafCall& call, std::byte* self);
+    double compute(const Formula& formula) const;
     bool read_input(RowId n, std::uint32_t input, std::byte* self);
     bool write_outputs(RowId n, const LeafCall& call, std::byte* self);
 
     // Machines: machine_rules.cpp ----------------------------------------------------------------
 
     Status tick_machine(RowId m);
+    void take_events();
     void take_next_external();
     void settle();
     void bind(const Event& event);
@@ -135,10 +138,13 @@ private:
     void take(const Transition& transition, TransitionId id);
     void run_blocks(std::uint32_t first, std::uint32_t count);
     void run_block(BlockId block);
+    bool assign(const Action& action);
     bool initialise(const Action& action);
     bool log(const Action& action);
     void raise_error(RowId n);
+    bool is_quiet() const;
     void tick_invokes();
+    void end_invoke(RowId n);
     void pass_params(const InvokeInfo& invoke);
     /// Whether the machine has neither reached its end nor failed.
     bool running() const { return !s_.session.final && !s_.fault; }
@@ -165,6 +171,29 @@ private:
     /// Evaluates a condition of a machine: one that fails raises error.execution and is false.
     bool holds(RowId n, CodeId code);
     bool holds(RowId n, const Condition& condition);
+    /// Answers a condition that needs no code; none if it does.
+    std::optional<bool> answer(const Condition& condition) const {
+        switch (condition.form) {
+        case Condition::Form::always: return true;
+        case Condition::Form::sensor: {
+            bool sensed = false;
+            std::memcpy(&sensed, static_cast<const std::byte*>(host_) + condition.at,
+                        sizeof sensed);
+            return sensed;
+        }
+        case Condition::Form::elapsed: {
+            double limit = condition.limit;
+            if (condition.variable) {
+                const Value& variable = s_.slots[condition.variable.index];
+                if (!variable.is(Value::Kind::real)) { return {}; }
+                limit = variable.as_real();
+            }
+            return (s_.session.clock - memory_[condition.at]) * tick_.dt > limit;
+        }
+        case Condition::Form::code: break;
+        }
+        return {};
+    }
     /// What expressions see. Filled when a step evaluates its first expression.
     EvalContext& context() {
         if (!context_) { fill_context(); }

@@ -86,6 +86,7 @@ public:
 
     /// Recognises the forms that need no evaluation.
     Condition condition(CodeId code) const;
+    FormulaId formula(CodeId code);
 
     /// Adds a use of a leaf with its defaults; set its ports before adding another.
     std::uint32_t add_call(const LeafType& type);

@@ -34,6 +34,7 @@ void MachineCompiler::machine() {
     }
     for (std::uint32_t i = 0; i < elements_.size(); ++i) {
         if (elements_[i] && program.rows[i].op == Op::invoke) { fill_invoke({i}); }
+        if (elements_[i] && program.rows[i].op == Op::state) { find_quiet_guards({i}); }
     }
     for (InvokedTree& tree : trees_) {
         tree.compiler.finish();
@@ -212,6 +213,30 @@ void MachineCompiler::fill_state(RowId n) {
         if (program.at(c).op == Op::invoke) { ++state.invokes; }
     }
     program.states[program.at(n).arg] = state;
+}
+
+// What the event `tick` asks while the state is the active atomic one.
+void MachineCompiler::find_quiet_guards(RowId n) {
+    Program& program = builder_.program;
+    StateInfo& state = program.states[program.at(n).arg];
+    std::vector<Condition> guards;
+    for (RowId at = n; at; at = program.state(at).outer) {
+        const StateInfo& around = program.state(at);
+        for (std::uint32_t i = 0; i < around.transition_count; ++i) {
+            const Transition& t = program.transitions[around.first_transition + i];
+            bool named = false;
+            for (std::uint32_t k = 0; k < t.event_count && program.tick_event; ++k) {
+                named = named ||
+                        program.matches(program.descriptors[t.first_event + k], program.tick_event);
+            }
+            if (t.event_count == 0 || (named && t.guard.form == Condition::Form::code)) { return; }
+            if (named) { guards.push_back(t.guard); }
+        }
+    }
+    state.may_be_quiet = true;
+    state.first_guard = static_cast<std::uint32_t>(program.quiet_guards.size());
+    state.guard_count = static_cast<std::uint32_t>(guards.size());
+    program.quiet_guards.insert(program.quiet_guards.end(), guards.begin(), guards.end());
 }
 
 void MachineCompiler::transition(ElementId e, RowId source) {

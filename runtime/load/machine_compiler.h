@@ -36,6 +36,7 @@ private:
     void tree_row(const Attribute& source, RowId invoke);
     // what states have
     void fill_state(RowId n);
+    void find_quiet_guards(RowId n);
     void transition(ElementId e, RowId source);
     bool add_targets(const Attribute& attribute, RowId inside, Transition& transition);
     TransitionId initial_of(RowId n);

@@ -82,7 +82,12 @@ void MachineCompiler::action(ElementId e, RowId state) {
         const CodeId store = builder_.store(place, names);
         Action& assign = add_action(Action::Kind::assign);
         assign.code = code;
-        assign.store = store;
+        const auto variable = scope_.variables.find(std::string(place.text));
+        if (variable != scope_.variables.end()) {
+            assign.slot = variable->second;
+        } else {
+            assign.store = store;
+        }
     } else if (name == "script") {
         const Builder::Text script = Builder::text_of(file_, e);
         MachineNames names(builder_, scope_, state, script);

@@ -7,7 +7,7 @@
 namespace trellis {
 
 ScopeId Scopes::add(RowId n, ScopeId parent) {
-    scopes_.push_back({.row = n, .parent = parent, .remaps = {}, .slots = {}});
+    scopes_.push_back({.row = n, .parent = parent, .remaps = {}, .slots = {}, .subtrees = {}});
     return {static_cast<std::uint32_t>(scopes_.size() - 1)};
 }
 
@@ -54,8 +54,21 @@ SlotId Scopes::local(ScopeId scope, std::string_view name) {
     if (fresh) {
         slot->second = builder_.add_slot(name, here.row);
         written_.push_back(false);
+        port_types_.push_back(PortType::any);
     }
     return slot->second;
+}
+
+bool Scopes::bind_type(SlotId slot, PortType type) {
+    PortType& before = port_types_[slot.index];
+    if (type == PortType::any || before == type) { return true; }
+    if (before != PortType::any && before != PortType::text) { return false; }
+    before = type;
+    return true;
+}
+
+bool Scopes::take_name(ScopeId scope, std::string_view name) {
+    return scopes_[scope.index].subtrees.emplace(name).second;
 }
 
 void Scopes::written(SlotId slot) {

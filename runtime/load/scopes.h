@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,12 @@ public:
     /// A variable of this very scope, whatever the remaps say.
     SlotId local(ScopeId scope, std::string_view name);
 
+    /// A port of type `type` is bound to the variable; false if one of another type is already. A
+    /// text before it is no clash, as it is converted (TREES §2.1).
+    bool bind_type(SlotId slot, PortType type);
+    /// Takes a name for a subtree of this scope; false if one there has it.
+    bool take_name(ScopeId scope, std::string_view name);
+
     /// Something in the file, or the host, may give the variable a value.
     void written(SlotId slot);
     /// The file needs the value: an error, once compiled, if nothing may have written it.
@@ -54,6 +61,7 @@ private:
         bool autoremap = false;
         std::unordered_map<std::string, std::string> remaps;
         std::unordered_map<std::string, SlotId> slots;
+        std::unordered_set<std::string> subtrees;
     };
     struct Need {
         SlotId slot;
@@ -64,7 +72,8 @@ private:
 
     Builder& builder_;
     std::vector<Scope> scopes_;
-    std::vector<bool> written_;  // by slot
+    std::vector<bool> written_;         // by slot
+    std::vector<PortType> port_types_;  // by slot; any: no typed port yet
     std::vector<Need> needs_;
 };
 

@@ -238,6 +238,12 @@ void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribu
     const SlotId slot = scopes_.variable(place.scope, pointer_key(value, port.name));
     Slot& entry = builder_.program.slots[slot.index];
     if (entry.type == EntryType::missing) { entry.type = entry_type(port.type); }
+    if (!scopes_.bind_type(slot, port.type)) {
+        builder_.diagnostics().error("type-clash", attribute.value_where,
+                                     "\"" + entry.name + "\" is " +
+                                         std::string(name_of(port.type)) +
+                                         " here, but another port gives it another type");
+    }
     if (port.direction != PortDirection::output) {
         builder_.set_live(port, builder_.variable(slot, Dialect::tree));
         const bool may_be_absent = port.present != Port::always || port.type == PortType::any;
@@ -287,6 +293,13 @@ void TreeCompiler::subtree(const Place& place) {
                                   document(place).at(place.element).where);
     if (!n) { return; }
     conditions(place, n);
+    if (const Attribute* own = document(place).find(place.element, "name");
+        own != nullptr && !scopes_.take_name(place.scope, document(place).string(own->value))) {
+        builder_.diagnostics().error("duplicate-id", own->value_where,
+                                     "there is already a subtree called \"" +
+                                         std::string(document(place).string(own->value)) +
+                                         "\" in this tree");
+    }
     const ScopeId inside = scopes_.add(n, place.scope);
     parameters(place, inside, files_.model(name));
     reached_.insert(tree->id);
