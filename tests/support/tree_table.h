@@ -1,0 +1,44 @@
+// Trees in one line, and what they did as a table: "ReactiveSequence(SF, RR)". Covered by
+// tests/exec/tree_test.cpp.
+//
+//     tree  = NODE | NODE[NUMBER] , each with (tree, …)   "Repeat[2](SF)"
+//           | SCRIPT                                      a Leaf: the letters S F R K, a tick each
+//           | =SCRIPT                                     a SyncLeaf
+//     before any of them: f? s? k? w?   _failureIf, _successIf, _skipIf, _while="_x.bumper"
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trellis::test {
+
+/// A tree with scripted leaves. Leaves are called a, b, c, … in order.
+struct TreeSpec {
+    std::string node;    ///< the element: "Sequence", "Leaf", …
+    std::string script;  ///< of a leaf
+    int number = 0;      ///< num_cycles, num_attempts
+    std::string before;  ///< letters of the pre-conditions it has: f s k w
+    std::vector<TreeSpec> children;
+};
+
+/// The tree that `text` spells; it must be right.
+TreeSpec parse_tree(std::string_view text);
+/// The text that spells `tree`.
+std::string notation(const TreeSpec& tree);
+/// The tree file with that tree.
+std::string xml_of(const TreeSpec& tree);
+/// The id of leaf number `n` from 0: a, b, …, z, aa, …
+std::string leaf_id(std::size_t n);
+
+/// What the root returned, a letter per tick, then the stored statuses after each tick of every
+/// node from the root on, '-' for idle: table("ReactiveSequence(SF, RR)", 2) == "RF | R- S- R-".
+/// `bumper` is what pre-conditions see, '1' or '0' per tick, cyclically.
+std::string table(std::string_view text, std::size_t ticks, std::string_view bumper = "0");
+
+/// What the leaves reported, ticks separated by " / ": "a:SUCCESS b:RUNNING / a:FAILURE b:HALT".
+std::string events(std::string_view text, std::size_t ticks, std::string_view bumper = "0");
+
+}  // namespace trellis::test
