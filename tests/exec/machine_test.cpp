@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
