@@ -10,7 +10,7 @@ using namespace trellis::test;
 
 TEST_CASE("schema: what is printed is what is checked in") {
     MemoryFiles files;
-    for (const std::pair<const char*, const char*> schema :
+    for (const std::pair<const char*, const char*>& schema :
          {std::pair{"tree-xsd", "schemas/trellis_tree.xsd"},
           {"machine-xsd", "schemas/trellis_machine.xsd"},
           {"tree-json", "schemas/trellis_tree.schema.json"},
