@@ -1,6 +1,7 @@
 // The Roomba as a behaviour sees it: the sensors it reads and the velocity it commands, in one
 // small value. It does not know its room (sim/lab_world.h) or who drives it. Covered by
-// tests/sim/roomba_test.cpp. SPDX-License-Identifier: MIT
+// tests/sim/roomba_test.cpp.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace trellis {

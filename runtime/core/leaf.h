@@ -1,7 +1,8 @@
 // Leaves: how a host's actions and conditions, written as plain structs, become something a program
 // can name. Also the sensors a host shows to expressions. Nothing here knows documents or ticks.
 // Covered by tests/core/leaf_test.cpp.
-//
+// SPDX-License-Identifier: MIT
+
 //     struct MoveForward {
 //         double speed = 0.5;     // m/s  input
 //         double duration = 3.0;  // s    input
@@ -15,7 +16,6 @@
 //         .state(&MoveForward::ticks);
 //
 // Every member is named in the registration: a State compares, hashes and saves exactly those.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "core/random.h"

@@ -1,6 +1,7 @@
 // Numbers as text and back: the one place that spells doubles, so that traces, messages, documents
 // and random-number files agree to the last digit on every platform. Integers are the standard
-// library's business. Covered by tests/core/number_test.cpp. SPDX-License-Identifier: MIT
+// library's business. Covered by tests/core/number_test.cpp.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

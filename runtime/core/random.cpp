@@ -1,6 +1,7 @@
 // MT19937 (Matsumoto and Nishimura 1998) with CPython's seeding (Modules/_randommodule.c:
 // random_seed) and CPython's distributions (Lib/random.py: uniform, gauss, randint). Covered by
-// tests/core/random_test.cpp. SPDX-License-Identifier: MIT
+// tests/core/random_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "core/random.h"
 
 #include <array>

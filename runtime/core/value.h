@@ -3,7 +3,8 @@
 // nothing is shared. Copying, assigning and destroying a scalar is a few inlined instructions;
 // assigning a text to a value that holds a text reuses its buffer, so variables that are written
 // again and again allocate nothing. What operators mean is not said here (exec/evaluate.h). Covered
-// by tests/core/value_test.cpp. SPDX-License-Identifier: MIT
+// by tests/core/value_test.cpp.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

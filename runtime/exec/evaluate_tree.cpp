@@ -1,18 +1,18 @@
 // The tree setting: BehaviorTree.CPP 4.10's scripting to the letter. Numbers are int64 or double;
 // every operator but .. and the bitwise ones computes in doubles. What a variable accepts
 // (EntryType and the value it holds):
-//
+// SPDX-License-Identifier: MIT
+
 //   missing                  only := makes it `any`; reading or assigning otherwise fails
 //   any, no value yet        takes any value
 //   holds a number           takes numbers that its type holds without loss; a text is converted:
-//   by the entry's type,
-//                            or for `any` to a double, which the variable then is
+//   by
+//                            the entry's type, or for `any` to a double, which it then is
 //   holds a text             takes texts
 //   typed, no value yet      takes numbers as they are; a text is converted by the entry's type
 //
 // Covered by tests/exec/scripts_test.cpp (the recorded cases) and tests/exec/evaluate_test.cpp
 // (typed entries).
-// SPDX-License-Identifier: MIT
 #include "core/number.h"
 #include "exec/evaluate_rules.h"
 

@@ -274,10 +274,8 @@ std::uint32_t Builder::add_call(const LeafType& type) {
     call.offset =
         (static_cast<std::uint32_t>(bytes.size()) + type.align - 1) / type.align * type.align;
     bytes.resize(call.offset + type.size);
-    // made where it is aligned, then copied; the gap between members stays zero
-    alignas(std::max_align_t) std::byte fresh[max_leaf_size] = {};
-    type.construct(fresh);
-    std::memcpy(bytes.data() + call.offset, fresh, type.size);
+    // the table is aligned as strictly as any leaf; the gaps between members stay zero
+    type.construct(bytes.data() + call.offset);
     call.first_input = static_cast<std::uint32_t>(program.live_inputs.size());
     call.first_output = static_cast<std::uint32_t>(program.bound_outputs.size());
     if (type.host_tag != nullptr) { program.host = &registry_.host(); }

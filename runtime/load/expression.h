@@ -1,19 +1,20 @@
 // Text of the expression language → syntax. One language, two settings (core/code.h, Dialect):
-//
-//   script     tree: expression { [";"...] expression }        machine: [ expression { ";"
-//   expression } ] expression ternary [ (":=" "=" "+=" "-=" "*=" "/=") expression ] ternary binary
-//   [ "?" expression ":" ternary ] binary     tree, loosest first:    ||   &&   == != < <= > >=
-//   (chained)   | ^   &   + - ..   * /
-//              machine, loosest first: ||   &&   |   ^   &   == !=   < <= > >=   + - ..   * / %
-//   unary      { "-" "~" "!" } postfix
-//   postfix    primary { "." name | "[" expression "]" | "(" arguments ")" }
+// SPDX-License-Identifier: MIT
+
+//   script      trees:    expression { [";"...] expression }
+//               machines: [ expression { ";" expression } ]
+//   expression  ternary [ (":=" "=" "+=" "-=" "*=" "/=") expression ]
+//   ternary     binary [ "?" expression ":" ternary ]
+//   binary      trees, loosest first:    || && == != < <= > >= (chained) | ^ & + - .. * /
+//               machines, loosest first: || && | ^ & == != < <= > >= + - .. * / %
+//   unary       { "-" "~" "!" } postfix
+//   postfix     primary { "." name | "[" expression "]" | "(" arguments ")" }
 //
 // In trees texts are '...' without escapes, and a call is the name of a known function directly
 // before "(" (what BehaviorTree.CPP reads there is two expressions). Machines add "..." texts with
 // escapes, `.5` and `5.`, null, undefined, [1, 2], {key: 1}; their numbers are all real. Nothing is
 // resolved or checked here: that is load/emit.h. Covered by tests/load/expression_test.cpp and
 // tests/exec/scripts_test.cpp.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "core/code.h"

@@ -1,6 +1,7 @@
 // The grammar as a JSON Schema of the JSON spelling, for editors that complete and check as one
 // types, and for validators that are not ours. Generated and checked in as schemas/*.schema.json.
-// Covered by tests/load/schema_test.cpp, and by tests/load/faults_test.cpp with Python's jsonschema.
+// Covered by tests/load/schema_test.cpp, and by tests/load/faults_test.cpp with Python's
+// jsonschema.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -262,6 +262,12 @@ void TreeCompiler::conditions(const Place& place, RowId n) {
         {"_onSuccess", &Conditions::on_success}, {"_onFailure", &Conditions::on_failure},
         {"_onHalted", &Conditions::on_halted},   {"_post", &Conditions::post},
     };
+    const auto attributes = document(place).attributes_of(place.element);
+    if (std::none_of(attributes.begin(), attributes.end(), [&](const Attribute& attribute) {
+            return document(place).string(attribute.name).starts_with('_');
+        })) {
+        return;
+    }
     Conditions found;
     for (const auto& [name, member] : all) {
         const Attribute* attribute = document(place).find(place.element, name);

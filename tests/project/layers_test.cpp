@@ -94,7 +94,10 @@ std::string broken_rule(std::string_view file, std::string_view line) {
     }
     // a standard header has neither a folder nor an extension, except C's own
     const bool third_party = name.find_first_of("/.") != std::string_view::npos;
-    if (contains(outside_world, name)) return who + " has no clock, thread, file or output";
+    // numbers as text need snprintf where the library has no to_chars for doubles (emscripten)
+    const bool spells_numbers = file == "runtime/core/number.cpp" && name == "cstdio";
+    if (contains(outside_world, name) && !spells_numbers)
+        return who + " has no clock, thread, file or output";
     if (third_party && !starts_with_any(name, layer->third_party))
         return who + " may include " + list(layer->third_party);
     if (file.ends_with(".cpp")) return {};

@@ -1,5 +1,6 @@
 // The check values of the lab's machine and tree, and the ties that no recorded run holds: what
-// LAB.md states in numbers. Recorded runs are in lab_streams_test.cpp. SPDX-License-Identifier: MIT
+// LAB.md states in numbers. Recorded runs are in lab_streams_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "support/lab_reference.h"
 
 #include <doctest/doctest.h>

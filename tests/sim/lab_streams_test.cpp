@@ -1,7 +1,8 @@
 // The lab's world under hand-written behaviours against every recorded run of the Python lab: bit
 // for bit with the mathematics of x86-64 glibc, within 1e-9 elsewhere. What the tree and the
 // machine of the lab do to the last bit is in LAB.md; this is the proof that sim/ and the
-// references agree. SPDX-License-Identifier: MIT
+// references agree.
+// SPDX-License-Identifier: MIT
 #include "support/lab_streams.h"
 
 #include "support/lab_reference.h"

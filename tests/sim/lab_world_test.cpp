@@ -1,6 +1,7 @@
 // Collision and motion of the lab's world: its constants, every wall and corner, the boundary
 // between straight and curved motion, and that nobody stands outside after `sense`. Whole recorded
-// runs are in lab_streams_test.cpp. SPDX-License-Identifier: MIT
+// runs are in lab_streams_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "sim/lab_world.h"
 
 #include <doctest/doctest.h>

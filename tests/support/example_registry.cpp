@@ -1,5 +1,5 @@
-// Leaves that have ports and do nothing. Covered by the tests that register them; no test looks at what
-// they do.
+// Leaves that have ports and do nothing. Covered by the tests that register them; no test looks at
+// what they do.
 // SPDX-License-Identifier: MIT
 #include "support/example_registry.h"
 

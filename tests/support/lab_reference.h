@@ -1,7 +1,8 @@
 // The lab's two behaviours written the obvious way, as the judge of everything that runs them from
 // a file: the machine is hand_written.h, the tree is a tree of objects like the lab's own. Slow
 // where that is clearer. Covered by tests/sim/lab_streams_test.cpp, which holds it against recorded
-// runs. SPDX-License-Identifier: MIT
+// runs.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "sim/lab_world.h"
