@@ -72,7 +72,7 @@ TEST_CASE("ports: a real takes numbers and texts that are numbers") {
     CHECK(stored(PortType::real, Value::array()) == "no");
 }
 
-TEST_CASE("ports: a text takes scalars; reals have six decimals as in BehaviorTree.CPP") {
+TEST_CASE("ports: a text takes scalars, reals have six decimals as in BehaviorTree.CPP") {
     CHECK(stored(PortType::text, Value::text("as it is")) == "\"as it is\"");
     CHECK(stored(PortType::text, Value::integer(-7)) == "\"-7\"");
     CHECK(stored(PortType::text, Value::real(1.5)) == "\"1.500000\"");

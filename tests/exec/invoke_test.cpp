@@ -100,7 +100,7 @@ TEST_CASE("invoke: a param that fails raises error.execution and the leaf runs w
     CHECK(m.step() == "(told)");
 }
 
-TEST_CASE("invoke: a tree runs with its own variables; params are written before each tick") {
+TEST_CASE("invoke: a tree runs with its own variables, params are written before each tick") {
     Texts texts;
     texts.add("sub.xml", "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence><Echo id='e' "
                          "in='{v}'/><Leaf id='l' script='RS'/></Sequence></BehaviorTree>"

@@ -54,7 +54,7 @@ TEST_CASE(
               .start() == "+a (in) (way) +a2");
 }
 
-TEST_CASE("machine: initial may name a state deep inside; those on the way do not begin (3.6)") {
+TEST_CASE("machine: initial may name a state deep inside, those on the way do not begin (3.6)") {
     CHECK(Machine("<state id='a'><state id='a1'><initial><transition target='x'><log label='no'/>"
                   "</transition></initial><state id='x'/><state id='y'/></state></state>",
                   "initial='y'")

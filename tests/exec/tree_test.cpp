@@ -223,7 +223,7 @@ TEST_CASE("pre-conditions: an integer must be 0 or 1, a text is no condition") {
     CHECK(ticks("<Leaf id='a' script='R' _skipIf=\"'yes'\"/>", 1).starts_with("IDLE fault: "));
 }
 
-TEST_CASE("post-conditions: _onSuccess or _onFailure, then _post; none when running or skipped") {
+TEST_CASE("post-conditions: _onSuccess or _onFailure, then _post, none when running or skipped") {
     const Program program = loaded(
         tree_file("<Leaf script='SFRK' _successIf=\"t := 't'; false\" _onSuccess=\"t := t .. 's'\" "
                   "_onFailure=\"t := t .. 'f'\" _post=\"t := t .. 'p'\"/>"));
@@ -270,7 +270,7 @@ TEST_CASE("halt: _onHalted runs for every node, and twice for those that ran") {
 
 // Scripts -----------------------------------------------------------------------------------------
 
-TEST_CASE("Script: succeeds, also when it is empty; ScriptCondition answers with its value") {
+TEST_CASE("Script: succeeds, also when it is empty, ScriptCondition answers with its value") {
     CHECK(ticks("<Script code=''/>", 1) == "SUCCESS");
     CHECK(ticks("<ScriptCondition code='1 &lt; 2'/>", 1) == "SUCCESS");
     CHECK(ticks("<ScriptCondition code='1 &gt; 2'/>", 1) == "FAILURE");

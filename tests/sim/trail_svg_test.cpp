@@ -91,7 +91,7 @@ TEST_CASE("trail lines: no point and one point are no tick") {
     CHECK(red_line({there_and_back.data(), 1}).dots.empty());
 }
 
-TEST_CASE("trail lines: colours go by the order of the names; a second round is dashed") {
+TEST_CASE("trail lines: colours go by the order of the names, a second round is dashed") {
     const std::vector<std::string> many(15, "leaf");
     const std::vector<LeafLines> leaves = leaf_lines({}, many);
     CHECK(leaves[0].colour == "#0072b2");
