@@ -5,6 +5,7 @@
 #include "core/number.h"
 #include "core/ports.h"
 #include "load/expression.h"
+#include "load/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -18,16 +19,6 @@ namespace {
 
 /// Rows nest at most this deep: the interpreter's recursion stays within a small stack.
 constexpr std::uint32_t max_row_depth = 1024;
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) {
-        s.remove_prefix(1);
-    }
-    while (!s.empty() && (s.back() == ' ' || s.back() == '\t')) {
-        s.remove_suffix(1);
-    }
-    return s;
-}
 
 }  // namespace
 

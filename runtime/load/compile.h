@@ -6,8 +6,6 @@
 
 #include "load/builder.h"
 
-#include <string_view>
-
 namespace trellis {
 
 /// Compiles a tree file and what it includes into the empty program of `builder`. Errors go to its
@@ -16,9 +14,5 @@ void compile_tree(ReadFile file, Builder& builder);
 
 /// Compiles a machine file likewise.
 void compile_machine(ReadFile file, Builder& builder);
-
-/// Appends the main tree of another tree file below invoke row `parent` of a machine. Returns the
-/// tree's row, none after an error; `entry` of its blackboard is found with tree_entry().
-RowId append_tree(ReadFile file, Builder& builder, RowId parent);
 
 }  // namespace trellis
