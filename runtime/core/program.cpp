@@ -209,7 +209,7 @@ bool operator==(const Program& a, const Program& b) {
     return a.rows == b.rows && a.names == b.names && a.slots == b.slots &&
            a.code.instructions == b.code.instructions && a.code.constants == b.code.constants &&
            a.code.guards == b.code.guards && a.calls == b.calls && a.live_inputs == b.live_inputs &&
-           a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
+           a.derived == b.derived && a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
            a.quiet_guards == b.quiet_guards && a.bound_outputs == b.bound_outputs &&
            a.prototypes == b.prototypes && a.ports == b.ports && a.conditions == b.conditions &&
            a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&

@@ -77,13 +77,25 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
-/// A number that follows from elapsed() or a real sensor by arithmetic with literals, as speeds and
-/// turn rates of robots do: computed without evaluating code. Each step takes the last result.
+/// A number that one variable alone decides, as the time that a turn by `angle` takes: it is
+/// evaluated again only after the variable has changed.
+struct Derived {
+    SlotId variable;
+    CodeId code;
+
+    friend bool operator==(const Derived&, const Derived&) = default;
+};
+
+using DerivedId = Id<struct DerivedTag>;  ///< Program::derived
+
+/// A number that follows from elapsed(), a real sensor or one variable by arithmetic with literals,
+/// as speeds and turn rates of robots do: computed without evaluating code. Each step takes the
+/// last result.
 struct Formula {
-    enum class Source : std::uint8_t { elapsed_since, elapsed_count, sensor };
+    enum class Source : std::uint8_t { elapsed_since, elapsed_count, sensor, derived };
 
     Source source = Source::elapsed_since;
-    std::uint32_t at = 0;                          ///< the row, or the byte of the host
+    std::uint32_t at = 0;  ///< the row, the byte of the host, or the index of the derived number
     std::uint32_t first_step = 0, step_count = 0;  ///< Program::formula_steps
 
     friend bool operator==(const Formula&, const Formula&) = default;
@@ -104,7 +116,8 @@ using FormulaId = Id<struct FormulaTag>;  ///< Program::formulas
 struct LiveInput {
     std::uint32_t port = 0;  ///< index into LeafType::ports
     CodeId code;
-    FormulaId formula;  ///< says the same, for a plain real port; none if it has no such form
+    FormulaId formula;     ///< says the same, for a plain real port; none if it has no such form
+    std::uint32_t offset;  ///< bytes, of the port's member in the leaf struct
 
     friend bool operator==(const LiveInput&, const LiveInput&) = default;
 };
@@ -138,20 +151,23 @@ struct EventName {
     friend bool operator==(const EventName&, const EventName&) = default;
 };
 
-/// What a condition asks, where it is one of the two that robots ask in every cycle: then it is
+/// What a condition asks, where it is one of those that robots ask in every cycle: then it is
 /// answered without evaluating code. `code` always says the same.
 struct Condition {
     enum class Form : std::uint8_t {
-        always,   ///< there is none
-        sensor,   ///< a boolean sensor, at byte `at` of the host
-        elapsed,  ///< elapsed() > `limit`, of the state of row `at`
-        code,     ///< anything else
+        always,            ///< there is none
+        sensor,            ///< a boolean sensor, at byte `at` of the host
+        elapsed,           ///< elapsed() > `limit`, of the state of row `at`
+        elapsed_variable,  ///< the same, with the real that `variable` holds
+        elapsed_derived,   ///< the same, with `derived`
+        code,              ///< anything else
     };
     Form form = Form::always;
     std::uint32_t at = 0;
     double limit = 0.0;  ///< s
-    SlotId variable;     ///< if not none, the limit is what it holds, where that is a real
-    CodeId code;
+    SlotId variable = {};
+    DerivedId derived = {};
+    CodeId code = {};
 
     friend bool operator==(const Condition&, const Condition&) = default;
 };
@@ -247,6 +263,7 @@ struct Program {
     CodeTable code;               ///< every expression and script
     std::vector<LeafCall> calls;  ///< Row::arg of action and condition
     std::vector<LiveInput> live_inputs;
+    std::vector<Derived> derived;
     std::vector<Formula> formulas;
     std::vector<FormulaStep> formula_steps;
     std::vector<BoundOutput> bound_outputs;

@@ -148,6 +148,7 @@ State fresh_state(const Program& program) {
     }
     state.temporaries.resize(program.code.temporaries);
     state.inputs.resize(program.live_inputs.size());
+    state.derived.resize(program.derived.size());
     state.leaves = program.prototypes;
     return state;
 }

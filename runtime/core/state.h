@@ -78,6 +78,12 @@ struct State {
     /// Scratch, not part of what a state is: temporaries of expressions, and by live input the
     /// value it had in the last tick.
     std::vector<Value> temporaries, inputs;
+    /// Scratch too: the last result of each derived number.
+    struct Memo {
+        Value variable;  ///< the number it was computed from; undefined before the first time
+        double value = 0.0;
+    };
+    std::vector<Memo> derived;
     std::vector<std::byte> leaves;  ///< leaf structs, back to back: see LeafCall::offset
     Random random;                  ///< the generator of this run
     Session session;

@@ -65,13 +65,16 @@ bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
     for (std::uint32_t i = 0; i < leaf.input_count; ++i) {
         const LiveInput& input = p_.live_inputs[leaf.first_input + i];
         const Port& port = leaf.type->ports[input.port];
+        double value = 0.0;
         if (input.formula) {
-            const double value = compute(p_.formulas[input.formula.index]);
-            std::memcpy(self + port.offset, &value, sizeof value);
-            continue;
+            const Formula& formula = p_.formulas[input.formula.index];
+            if (compute(forms(), formula, value)) {
+                std::memcpy(self + input.offset, &value, sizeof value);
+                continue;
+            }
+            derive(formula.at);
         }
         if (port.type == PortType::real && port.present == Port::always) {
-            double value = 0.0;
             if (evaluate_real(p_.code, input.code, context(), value)) {
                 std::memcpy(self + port.offset, &value, sizeof value);
                 continue;
@@ -80,31 +83,6 @@ bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
         if (!read_input(n, leaf.first_input + i, self)) { return false; }
     }
     return true;
-}
-
-double Stepper::compute(const Formula& formula) const {
-    double result = 0.0;
-    switch (formula.source) {
-    case Formula::Source::elapsed_since:
-        result = (s_.session.clock - memory_[formula.at]) * tick_.dt;
-        break;
-    case Formula::Source::elapsed_count: result = memory_[formula.at] * tick_.dt; break;
-    case Formula::Source::sensor:
-        std::memcpy(&result, static_cast<const std::byte*>(host_) + formula.at, sizeof result);
-        break;
-    }
-    const FormulaStep* const first = p_.formula_steps.data() + formula.first_step;
-    for (const FormulaStep* step = first; step != first + formula.step_count; ++step) {
-        const double left = step->literal_first ? step->literal : result;
-        const double right = step->literal_first ? result : step->literal;
-        switch (step->op) {
-        case CodeOp::add: result = left + right; break;
-        case CodeOp::subtract: result = left - right; break;
-        case CodeOp::multiply: result = left * right; break;
-        default: result = left / right; break;
-        }
-    }
-    return result;
 }
 
 // The general case: an input of any type that may be absent. A variable that does not exist, or

@@ -22,14 +22,12 @@ void Stepper::start_machine() {
 Status Stepper::tick_machine(RowId m) {
     Session& session = s_.session;
     if (!s_.started) { start_machine(); }
-    if (!is_quiet()) {
-        take_events();
-        if (s_.fault) { return Status::idle; }
-        if (session.final) {
-            leave_all();
-            store(m, Status::idle);
-            return p_.name(session.final) == "failure" ? Status::failure : Status::success;
-        }
+    take_events();
+    if (s_.fault) { return Status::idle; }
+    if (session.final) {
+        leave_all();
+        store(m, Status::idle);
+        return p_.name(session.final) == "failure" ? Status::failure : Status::success;
     }
     ++session.clock;
     if (context_) { context_->cycle = session.clock; }
@@ -37,19 +35,17 @@ Status Stepper::tick_machine(RowId m) {
     return s_.fault ? Status::idle : Status::running;
 }
 
-// Whether nothing but the event `tick` is there, and no transition answers it: the common cycle.
-bool Stepper::is_quiet() const {
-    const Session& session = s_.session;
-    const StateInfo& state = p_.states[rows_[session.atom.index].arg];
-    if (!state.may_be_quiet || !session.external.empty() || !session.internal.empty() ||
-        trace_ != nullptr || p_.event_slot) {
-        return false;
+// The quiet cycle (quiet_cycle.cpp) has ticked the only activity, which is a leaf.
+Status Stepper::finish_quiet_cycle(Status status) {
+    in_step_ = true;
+    const RowId body = s_.last_leaf;
+    if (status == Status::idle) {
+        returned_idle(body, p_.call(body));
+    } else if (is_done(status)) {
+        store(body, status);
+        end_invokes();
     }
-    const Condition* const first = p_.quiet_guards.data() + state.first_guard;
-    for (const Condition* guard = first; guard != first + state.guard_count; ++guard) {
-        if (answer(*guard).value_or(true)) { return false; }
-    }
-    return true;
+    return finish_step(s_.fault ? Status::idle : Status::running);
 }
 
 void Stepper::take_events() {
@@ -164,8 +160,10 @@ TransitionId Stepper::enabled(RowId atom, EventId event) {
 }
 
 bool Stepper::holds(RowId n, const Condition& condition) {
-    const std::optional<bool> known = answer(condition);
-    return known ? *known : holds(n, condition.code);
+    const Answer known = answer(forms(), condition);
+    if (known != Answer::unknown) { return known == Answer::yes; }
+    if (condition.derived) { derive(condition.derived.index); }
+    return holds(n, condition.code);
 }
 
 // A condition that fails raises error.execution and is false (SCXML 5.9.1).
@@ -282,7 +280,10 @@ void Stepper::tick_invokes() {
         if (status == Status::idle) { return; }
         ended = ended || is_done(status);
     }
-    if (!ended) { return; }
+    if (ended) { end_invokes(); }
+}
+
+void Stepper::end_invokes() {
     for (const RowId n : s_.session.invokes) {
         if (is_done(status_[first_child(n).index])) { end_invoke(n); }
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
 
+#include "exec/quiet_cycle.h"
 #include "exec/stepper.h"
 
 #include <cassert>
@@ -25,6 +26,16 @@ void start(const Program& program, State& state, HostRef host, const StepOptions
 
 Status step(const Program& program, State& state, HostRef host, const StepOptions& options) {
     assert(fits(program, state, host));
+    if (program.is_machine()) {
+        const QuietCycle cycle = quiet_cycle(program, state, host, options);
+        if (cycle.outcome == QuietCycle::Outcome::running && !state.random.exhausted()) {
+            ++state.tick;
+            return Status::running;
+        }
+        if (cycle.outcome != QuietCycle::Outcome::not_quiet) {
+            return Stepper(program, state, host, options).finish_quiet_cycle(cycle.status);
+        }
+    }
     return Stepper(program, state, host, options).step_root();
 }
 

@@ -37,7 +37,10 @@ void Stepper::fill_context() {
 Status Stepper::step_root() {
     in_step_ = true;
     const RowId root{0};
-    const Status status = rows_[0].op == Op::machine ? tick_machine(root) : step_tree(root);
+    return finish_step(rows_[0].op == Op::machine ? tick_machine(root) : step_tree(root));
+}
+
+Status Stepper::finish_step(Status status) {
     if (s_.random.exhausted()) {
         return fault(Fault::Kind::draws, s_.last_leaf, "there are no random numbers left");
     }
@@ -233,6 +236,15 @@ bool Stepper::condition(RowId n, CodeId code, bool& holds) {
     if (truth != Truth::failed) { return true; }
     fault(Fault::Kind::expression, n, evaluation_error());
     return false;
+}
+
+void Stepper::derive(std::uint32_t id) {
+    const Derived& number = p_.derived[id];
+    const Value& variable = s_.slots[number.variable.index];
+    double value = 0.0;
+    if (variable.is_number() && evaluate_real(p_.code, number.code, context(), value)) {
+        s_.derived[id] = {variable, value};
+    }
 }
 
 std::string Stepper::evaluation_error() const {

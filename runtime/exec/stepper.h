@@ -15,11 +15,11 @@
 #include "core/program.h"
 #include "core/state.h"
 #include "exec/evaluate.h"
+#include "exec/forms.h"
 #include "exec/step.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +39,8 @@ public:
 
     /// One tick of the whole program: see step().
     Status step_root();
+    /// The rest of a quiet cycle whose activity has ended or failed with `status`.
+    Status finish_quiet_cycle(Status status);
     void start_machine();
     void halt_root();
 
@@ -121,13 +123,13 @@ private:
     void halt_leaf(RowId n);
     void point_inputs(const LeafCall& call, std::byte* self);
     bool read_inputs(RowId n, const LeafCall& call, std::byte* self);
-    double compute(const Formula& formula) const;
     bool read_input(RowId n, std::uint32_t input, std::byte* self);
     bool write_outputs(RowId n, const LeafCall& call, std::byte* self);
 
     // Machines: machine_rules.cpp ----------------------------------------------------------------
 
     Status tick_machine(RowId m);
+    Status finish_step(Status status);
     void take_events();
     void take_next_external();
     void settle();
@@ -142,8 +144,8 @@ private:
     bool initialise(const Action& action);
     bool log(const Action& action);
     void raise_error(RowId n);
-    bool is_quiet() const;
     void tick_invokes();
+    void end_invokes();
     void end_invoke(RowId n);
     void pass_params(const InvokeInfo& invoke);
     /// Whether the machine has neither reached its end nor failed.
@@ -171,29 +173,10 @@ private:
     /// Evaluates a condition of a machine: one that fails raises error.execution and is false.
     bool holds(RowId n, CodeId code);
     bool holds(RowId n, const Condition& condition);
-    /// Answers a condition that needs no code; none if it does.
-    std::optional<bool> answer(const Condition& condition) const {
-        switch (condition.form) {
-        case Condition::Form::always: return true;
-        case Condition::Form::sensor: {
-            bool sensed = false;
-            std::memcpy(&sensed, static_cast<const std::byte*>(host_) + condition.at,
-                        sizeof sensed);
-            return sensed;
-        }
-        case Condition::Form::elapsed: {
-            double limit = condition.limit;
-            if (condition.variable) {
-                const Value& variable = s_.slots[condition.variable.index];
-                if (!variable.is(Value::Kind::real)) { return {}; }
-                limit = variable.as_real();
-            }
-            return (s_.session.clock - memory_[condition.at]) * tick_.dt > limit;
-        }
-        case Condition::Form::code: break;
-        }
-        return {};
-    }
+    /// What forms that need no code read.
+    FormView forms() const { return {p_, s_, host_, s_.session.clock, tick_.dt}; }
+    /// Computes a derived number anew, where its variable holds a number.
+    void derive(std::uint32_t id);
     /// What expressions see. Filled when a step evaluates its first expression.
     EvalContext& context() {
         if (!context_) { fill_context(); }

@@ -5,6 +5,7 @@
 #include "core/number.h"
 #include "core/ports.h"
 #include "load/expression.h"
+#include "load/forms.h"
 #include "load/text.h"
 
 #include <algorithm>
@@ -201,62 +202,6 @@ CodeId Builder::add_copy(Operand operand, Dialect dialect) {
     return id;
 }
 
-Condition Builder::condition(CodeId code) const {
-    if (!code) { return {.form = Condition::Form::always, .variable = {}, .code = {}}; }
-    Condition found{.form = Condition::Form::code, .variable = {}, .code = code};
-    const Instruction& first = program.code.instructions[code.index];
-    if (first.op == CodeOp::sensor_boolean && first.last) {
-        found.form = Condition::Form::sensor;
-        found.at = first.extra;
-    }
-    if (first.op != CodeOp::elapsed_since || first.last) { return found; }
-    const Instruction& second = program.code.instructions[code.index + 1];
-    const bool compares = second.op == CodeOp::greater && second.last && !second.tree &&
-                          second.a == accumulator_operand;
-    const Operand limit = second.b;
-    const bool constant = limit.space() == Space::constant &&
-                          program.code.constants[limit.index()].is(Value::Kind::real);
-    if (!compares || (!constant && limit.space() != Space::slot)) { return found; }
-    found.form = Condition::Form::elapsed;
-    found.at = first.extra;
-    if (constant) {
-        found.limit = program.code.constants[limit.index()].as_real();
-    } else {
-        found.variable = {limit.index()};
-    }
-    return found;
-}
-
-FormulaId Builder::formula(CodeId code) {
-    const Instruction* in = program.code.instructions.data() + code.index;
-    Formula found{.at = in->extra};
-    switch (in->op) {
-    case CodeOp::elapsed_since: break;
-    case CodeOp::elapsed_count: found.source = Formula::Source::elapsed_count; break;
-    case CodeOp::sensor_real: found.source = Formula::Source::sensor; break;
-    default: return {};
-    }
-    std::vector<FormulaStep> steps;
-    for (; !in->last; ++in) {
-        const Instruction& next = in[1];
-        const bool result_first = next.a == accumulator_operand;
-        const Operand other = result_first ? next.b : next.a;
-        const bool chained = in->target == accumulator_operand.index() &&
-                             (result_first || next.b == accumulator_operand);
-        const bool arithmetic = next.op == CodeOp::add || next.op == CodeOp::subtract ||
-                                next.op == CodeOp::multiply || next.op == CodeOp::divide;
-        const bool literal = other.space() == Space::constant &&
-                             program.code.constants[other.index()].is(Value::Kind::real);
-        if (!chained || !arithmetic || !literal) { return {}; }
-        steps.push_back({next.op, !result_first, program.code.constants[other.index()].as_real()});
-    }
-    found.first_step = static_cast<std::uint32_t>(program.formula_steps.size());
-    found.step_count = static_cast<std::uint32_t>(steps.size());
-    program.formula_steps.insert(program.formula_steps.end(), steps.begin(), steps.end());
-    program.formulas.push_back(found);
-    return {static_cast<std::uint32_t>(program.formulas.size() - 1)};
-}
-
 // Leaves ------------------------------------------------------------------------------------------
 
 std::uint32_t Builder::add_call(const LeafType& type) {
@@ -291,8 +236,9 @@ bool Builder::set_literal(const Port& port, Value value) {
 
 void Builder::set_live(const Port& port, CodeId code) {
     const bool plain_real = port.type == PortType::real && port.present == Port::always;
-    program.live_inputs.push_back(
-        {port_index(port), code, plain_real ? formula(code) : FormulaId()});
+    program.live_inputs.push_back({port_index(port), code,
+                                   plain_real ? find_formula(program, code) : FormulaId(),
+                                   port.offset});
     ++program.calls.back().input_count;
 }
 

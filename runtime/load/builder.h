@@ -84,10 +84,6 @@ public:
     CodeId constant(Value value, Dialect dialect);
     CodeId variable(SlotId slot, Dialect dialect);
 
-    /// Recognises the forms that need no evaluation.
-    Condition condition(CodeId code) const;
-    FormulaId formula(CodeId code);
-
     /// Adds a use of a leaf with its defaults; set its ports before adding another.
     std::uint32_t add_call(const LeafType& type);
     /// Sets an input of the call added last to a literal; false if it does not convert.

@@ -4,6 +4,7 @@
 
 #include "load/check.h"
 #include "load/compile.h"
+#include "load/forms.h"
 #include "load/words.h"
 
 #include <algorithm>
@@ -255,7 +256,7 @@ void MachineCompiler::transition(ElementId e, RowId source) {
         t.event_end = program.events[t.event_begin.index].end;
     }
     if (const Attribute* cond = document().find(e, "cond"); cond != nullptr) {
-        t.guard = builder_.condition(expression(*cond, source));
+        t.guard = find_condition(program, expression(*cond, source));
     }
     if (const Attribute* target = document().find(e, "target"); target != nullptr) {
         if (add_targets(*target, {0}, t)) {

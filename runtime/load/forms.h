@@ -1,0 +1,19 @@
+// Recognises the expressions that robots ask in every cycle, and gives them forms that the
+// interpreter answers without evaluating code: sensors, times, formulas, numbers that one variable
+// decides. What has no such form keeps its code alone. Private to runtime/load. Covered by
+// tests/load/forms_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/program.h"
+
+namespace trellis {
+
+/// The condition that the code (none: no condition) asks. The code must be the one emitted last.
+Condition find_condition(Program& program, CodeId code);
+
+/// The formula that computes the same as the code, none if there is no such formula. The code must
+/// be the one emitted last.
+FormulaId find_formula(Program& program, CodeId code);
+
+}  // namespace trellis
