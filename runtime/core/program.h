@@ -61,6 +61,15 @@ struct Row {
     friend bool operator==(const Row&, const Row&) = default;
 };
 
+/// The names of rows by row. Many rows have the same name, so each is kept once.
+struct RowNames {
+    std::vector<std::string> texts;     ///< in the order of the first row that has it
+    std::vector<std::uint32_t> by_row;  ///< index into `texts`
+
+    const std::string& operator[](std::size_t row) const { return texts[by_row[row]]; }
+    friend bool operator==(const RowNames&, const RowNames&) = default;
+};
+
 /// A place in the text that a row came from, for messages about runs. Line 0: none.
 struct Origin {
     std::uint32_t file = 0, line = 0, column = 0;
@@ -257,8 +266,8 @@ struct Action {
 /// came from. Everything that changes while it runs is in State.
 struct Program {
     std::vector<Row> rows;
-    std::vector<std::string> names;  ///< by row: the instance name, or the id of a state
-    std::vector<Origin> origins;     ///< by row
+    RowNames names;               ///< by row: the instance name, or the id of a state
+    std::vector<Origin> origins;  ///< by row
     std::vector<Slot> slots;
     CodeTable code;               ///< every expression and script
     std::vector<LeafCall> calls;  ///< Row::arg of action and condition

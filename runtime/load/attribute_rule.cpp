@@ -18,9 +18,11 @@ constexpr std::string_view blanks = " \t\n\r";
 
 /// Removes digits from the front; returns whether there was one.
 bool skip_digits(std::string_view& text) {
-    const std::size_t n = std::min(text.find_first_not_of("0123456789"), text.size());
-    text.remove_prefix(n);
-    return n > 0;
+    const std::size_t before = text.size();
+    while (!text.empty() && text.front() >= '0' && text.front() <= '9') {
+        text.remove_prefix(1);
+    }
+    return text.size() != before;
 }
 
 void skip_sign(std::string_view& text) {
@@ -154,9 +156,9 @@ bool accepts(const AttributeRule& rule, std::string_view value) {
 }
 
 bool in_range(const AttributeRule& rule, std::string_view value) {
-    if (!is_integer(value)) { return true; }
-    if (rule.type == ValueType::int32) { return fits<std::int32_t>(value); }
-    return rule.type != ValueType::int64 || fits<std::int64_t>(value);
+    const bool narrow = rule.type == ValueType::int32;
+    if ((!narrow && rule.type != ValueType::int64) || !is_integer(value)) { return true; }
+    return narrow ? fits<std::int32_t>(value) : fits<std::int64_t>(value);
 }
 
 std::string expectation(const AttributeRule& rule) {

@@ -23,6 +23,21 @@ constexpr std::uint32_t max_row_depth = 1024;
 
 }  // namespace
 
+void Builder::reserve(std::size_t rows) {
+    program.rows.reserve(rows);
+    program.names.by_row.reserve(rows);
+    program.origins.reserve(rows);
+    program.calls.reserve(rows);
+    depths_.reserve(rows);
+}
+
+std::uint32_t Builder::name_index(std::string_view name) {
+    const auto next = static_cast<std::uint32_t>(program.names.texts.size());
+    const auto [found, fresh] = name_index_.try_emplace(std::string(name), next);
+    if (fresh) { program.names.texts.emplace_back(name); }
+    return found->second;
+}
+
 RowId Builder::open(Op op, RowId parent, std::string_view name, Where where, std::uint32_t arg) {
     const std::uint32_t depth = parent ? depths_[parent.index] + 1 : 0;
     const RowId n{next_row()};
@@ -47,7 +62,7 @@ RowId Builder::open(Op op, RowId parent, std::string_view name, Where where, std
     }
     program.rows.push_back(
         {.op = op, .parent = parent, .scope = scope, .end = {n.index + 1}, .arg = arg});
-    program.names.emplace_back(name);
+    program.names.by_row.push_back(name_index(name));
     program.origins.push_back({where.file, where.line, where.column});
     depths_.push_back(depth);
     return n;
@@ -87,21 +102,21 @@ Meaning Builder::sensor(std::string_view name) {
     return {.kind = kind, .index = sensor->offset, .value = {}, .message = {}};
 }
 
-Value Builder::enumerated(Value literal) const {
-    if (!literal.is(Value::Kind::text)) { return literal; }
-    for (const auto& [name, number] : registry_.enumerators()) {
-        if (name == literal.as_text()) { return Value::integer(number); }
+const std::int64_t* Builder::enumerator(std::string_view name) const {
+    for (const auto& [known, number] : registry_.enumerators()) {
+        if (known == name) { return &number; }
     }
-    return literal;
+    return nullptr;
+}
+
+Value Builder::enumerated(std::string_view literal) const {
+    const std::int64_t* const number = enumerator(literal);
+    return number != nullptr ? Value::integer(*number) : literal_value(literal);
 }
 
 // Code --------------------------------------------------------------------------------------------
 
 namespace {
-
-Where place_in(const Builder::Text& text, std::size_t offset) {
-    return where_in(text.file->source.text, text.file->document.spelling, text.where, offset);
-}
 
 bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -109,7 +124,12 @@ bool is_word(char c) {
 
 }  // namespace
 
-Where Builder::place_of(const Text& text, std::string_view name) {
+Where Builder::place_in(const Text& text, std::size_t offset) const {
+    return where_in(diagnostics_.file_text(text.where.file), text.file->document.spelling,
+                    text.where, offset);
+}
+
+Where Builder::place_of(const Text& text, std::string_view name) const {
     const std::string_view all = text.text;
     for (std::size_t at = all.find(name); at != std::string_view::npos;
          at = all.find(name, at + 1)) {
@@ -225,6 +245,21 @@ bool Builder::set_literal(const Port& port, Value value) {
         set_live(port, constant(std::move(value), Dialect::machine));
         return true;
     }
+    return write_literal(port, value);
+}
+
+bool Builder::set_literal(const Port& port, std::string_view text) {
+    if (const std::int64_t* number = enumerator(text); number != nullptr) {
+        return set_literal(port, Value::integer(*number));
+    }
+    if (port.type == PortType::text || port.type == PortType::any) {
+        return set_literal(port, Value::text(text));
+    }
+    literal_.set_text(text);
+    return write_literal(port, literal_);
+}
+
+bool Builder::write_literal(const Port& port, Value& value) {
     std::byte* self = program.prototypes.data() + program.calls.back().offset;
     if (!store_input(port, value, self)) { return false; }
     if (port.present != Port::always) {

@@ -16,13 +16,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace trellis {
 
-/// One text that was read: by Where::file.
+/// One file that was read.
 struct ReadFile {
-    Source source;
+    std::string name;
     Document document;
 };
 
@@ -41,6 +42,8 @@ public:
     Diagnostics& diagnostics() { return diagnostics_; }
     const LoadOptions& options() const { return options_; }
 
+    /// Makes room for that many rows: to be called once, if they can be estimated.
+    void reserve(std::size_t rows);
     /// Adds a row below `parent` (none for row 0); close it after its last child. None, and an
     /// error, if the program would get too large or too deep.
     RowId open(Op op, RowId parent, std::string_view name, Where where, std::uint32_t arg = 0);
@@ -53,8 +56,8 @@ public:
     void set_initial(SlotId slot, Value value);
     /// What _x.NAME means: see Names::sensor.
     Meaning sensor(std::string_view name);
-    /// A literal that is the name of an enumerator becomes its number.
-    Value enumerated(Value literal) const;
+    /// The value of a literal: as literal_value(), the number if it is the name of an enumerator.
+    Value enumerated(std::string_view literal) const;
 
     /// A script or expression in a file: the value of an attribute, or character data.
     struct Text {
@@ -69,7 +72,7 @@ public:
         return {&file, file.document.text(e), file.document.at(e).text_where};
     }
     /// Where the name first stands in it as a word; its beginning if it does not.
-    static Where place_of(const Text& text, std::string_view name);
+    Where place_of(const Text& text, std::string_view name) const;
 
     /// The first word directly before a "(" that is no function, in a tree: BehaviorTree.CPP reads
     /// two expressions there, but a misspelt function is meant. Empty if there is none.
@@ -88,6 +91,8 @@ public:
     std::uint32_t add_call(const LeafType& type);
     /// Sets an input of the call added last to a literal; false if it does not convert.
     bool set_literal(const Port& port, Value value);
+    /// Likewise, to a text that is converted, or that names an enumerator.
+    bool set_literal(const Port& port, std::string_view text);
     /// Sets an input of the call added last to what `code` gives before each tick.
     void set_live(const Port& port, CodeId code);
     void set_output(const Port& port, SlotId slot);
@@ -98,6 +103,10 @@ private:
     std::uint32_t next_row() const { return static_cast<std::uint32_t>(program.rows.size()); }
     std::uint32_t port_index(const Port& port) const;
     CodeId add_copy(Operand operand, Dialect dialect);
+    Where place_in(const Text& text, std::size_t offset) const;
+    const std::int64_t* enumerator(std::string_view name) const;
+    std::uint32_t name_index(std::string_view name);
+    bool write_literal(const Port& port, Value& value);
 
     const Registry& registry_;
     const Grammar& trees_;
@@ -105,6 +114,8 @@ private:
     const LoadOptions& options_;
     std::vector<std::uint32_t> depths_;  // by row
     bool full_ = false;
+    std::unordered_map<std::string, std::uint32_t> name_index_;  // into program.names.texts
+    Value literal_;  // scratch of set_literal(): its buffer is used again
 };
 
 /// The key of a blackboard pointer: "key" of "{key}"; `port` itself of "{=}".

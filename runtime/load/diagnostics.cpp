@@ -139,6 +139,10 @@ std::string_view Diagnostics::file_name(std::uint32_t file) const {
     return file < files_.size() ? std::string_view(files_[file].name) : std::string_view();
 }
 
+std::string_view Diagnostics::file_text(std::uint32_t file) const {
+    return file < files_.size() ? std::string_view(files_[file].text) : std::string_view();
+}
+
 void Diagnostics::sort() {
     std::stable_sort(all_.begin(), all_.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });

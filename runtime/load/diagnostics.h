@@ -57,6 +57,8 @@ public:
     const std::vector<Diagnostic>& all() const { return all_; }
     /// The name given to add_file; empty for an unknown index.
     std::string_view file_name(std::uint32_t file) const;
+    /// The text given to add_file, as long as no further is added; empty for an unknown index.
+    std::string_view file_text(std::uint32_t file) const;
 
     /// Sorts by place (stable) and drops exact repetitions: call once, when checking is done.
     void sort();

@@ -61,10 +61,10 @@ Piece Document::add_string(std::string_view s) {
     return piece;
 }
 
-ElementId Document::open(ElementId parent, std::string_view name, Where where) {
+ElementId Document::open(ElementId parent, Piece name, Where where) {
     const ElementId e{static_cast<std::uint32_t>(elements.size())};
     Element element;
-    element.name = add_string(name);
+    element.name = name;
     element.where = where;
     element.parent = parent;
     element.end = {e.index + 1};
@@ -73,15 +73,9 @@ ElementId Document::open(ElementId parent, std::string_view name, Where where) {
     return e;
 }
 
-void Document::add_attribute(ElementId e, std::string_view name, std::string_view value,
-                             Where where, Where value_where, bool bare) {
-    Attribute attribute;
-    attribute.name = add_string(name);
-    attribute.value = add_string(value);
-    attribute.where = where;
-    attribute.value_where = value_where;
-    attribute.bare = bare;
-    attributes.push_back(attribute);
+void Document::add_attribute(ElementId e, Piece name, Piece value, Where where, Where value_where,
+                             bool bare) {
+    attributes.push_back({name, value, where, value_where, bare});
     ++elements[e.index].attribute_count;
 }
 

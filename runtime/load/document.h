@@ -18,7 +18,7 @@ namespace trellis {
 
 using ElementId = Id<struct ElementTag>;
 
-/// A piece of Document::strings.
+/// A piece of Document::strings. Keeps its meaning while the document is copied or moved.
 struct Piece {
     std::uint32_t begin = 0;
     std::uint32_t size = 0;
@@ -53,7 +53,9 @@ public:
     enum class Spelling : std::uint8_t { xml, json };
 
     Spelling spelling = Spelling::xml;
-    std::string strings;  ///< every name, value and text, back to back
+    /// The text that was read (XML; else nothing), then every name, value and text that does not
+    /// stand in it as it is.
+    std::string strings;
     std::vector<Element> elements;
     std::vector<Attribute> attributes;  ///< those of one element are neighbours, in written order
 
@@ -117,11 +119,24 @@ public:
     // Building ----------------------------------------------------------------------------------
 
     Piece add_string(std::string_view s);
+    /// The piece of `strings` that `s`, a view into the text at their start, is.
+    static Piece piece_of(std::string_view text, std::string_view s) {
+        return {static_cast<std::uint32_t>(s.data() - text.data()),
+                static_cast<std::uint32_t>(s.size())};
+    }
     /// Opens an element inside `parent` (none for the root). Add its attributes before its first
     /// child, and close() it after its last.
-    ElementId open(ElementId parent, std::string_view name, Where where);
+    ElementId open(ElementId parent, Piece name, Where where);
+    ElementId open(ElementId parent, std::string_view name, Where where) {
+        return open(parent, add_string(name), where);
+    }
+    void add_attribute(ElementId e, Piece name, Piece value, Where where, Where value_where,
+                       bool bare = false);
     void add_attribute(ElementId e, std::string_view name, std::string_view value, Where where,
-                       Where value_where, bool bare = false);
+                       Where value_where, bool bare = false) {
+        const Piece piece = add_string(name);
+        add_attribute(e, piece, add_string(value), where, value_where, bare);
+    }
     void close(ElementId e) {
         elements[e.index].end = {static_cast<std::uint32_t>(elements.size())};
     }

@@ -84,10 +84,10 @@ std::optional<Program> load(const Source& source, const Registry& registry,
         Builder builder(registry, trees, diagnostics, options);
         if (kind_of(*document) == FileKind::machine) {
             check(*document, machine_grammar(), diagnostics);
-            compile_machine({source, std::move(*document)}, builder);
+            compile_machine({source.name, std::move(*document)}, builder);
         } else {
             check(*document, trees, diagnostics);
-            compile_tree({source, std::move(*document)}, builder);
+            compile_tree({source.name, std::move(*document)}, builder);
         }
         give(builder);
         for (const auto& [name, number] : registry.enumerators()) {

@@ -161,7 +161,7 @@ void MachineCompiler::tree_row(const Attribute& source, RowId invoke) {
     const std::string_view path = document().string(source.value);
     std::optional<Source> text;
     if (SourceReader* reader = builder_.options().reader; reader != nullptr) {
-        text = reader->read(path, file_.source.name, {});
+        text = reader->read(path, file_.name, {});
     }
     if (!text) {
         diagnostics.error("unreadable-file", source.value_where,
@@ -172,7 +172,7 @@ void MachineCompiler::tree_row(const Attribute& source, RowId invoke) {
     if (!tree) { return; }
     check(*tree, builder_.grammar(), diagnostics);
     InvokedTree& invoked = trees_.emplace_back(builder_, invoke);
-    invoked.files.add({std::move(*text), std::move(*tree)});
+    invoked.files.add({std::move(text->name), std::move(*tree)});
     if (const TreeSource* main = invoked.files.main_tree({}); main != nullptr) {
         invoked.compiler.tree(*main, invoke);
     }

@@ -15,7 +15,8 @@
 
 namespace trellis {
 
-/// Turns byte offsets of one text into places. Queries that do not go back take constant time.
+/// Turns byte offsets of one text, of less than 4 GiB, into places. Queries that do not go back
+/// take constant time.
 class LineTable {
 public:
     LineTable(std::string_view text, std::uint32_t file);
@@ -23,8 +24,8 @@ public:
     Where at(std::size_t offset);
 
 private:
-    std::vector<std::size_t> starts_;  // of each line, then one that no offset reaches
-    std::size_t line_ = 0;             // of the last query
+    std::vector<std::uint32_t> starts_;  // of each line, then one that no offset reaches
+    std::size_t line_ = 0;               // of the last query
     std::uint32_t file_;
 };
 
@@ -59,9 +60,7 @@ inline bool is_name(std::string_view text) {
 inline bool is_blank(char c) {
     return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
-inline bool is_blank(std::string_view text) {
-    return text.find_first_not_of(" \n\t\r") == std::string_view::npos;
-}
+bool is_blank(std::string_view text);
 /// `text` without the blanks around it.
 std::string_view trimmed(std::string_view text);
 

@@ -39,7 +39,7 @@ public:
         if (use == Use::create) {
             scopes_.written(slot);
         } else {
-            scopes_.needed(slot, Builder::place_of(text_, name));
+            scopes_.needed(slot, builder_.place_of(text_, name));
         }
         return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
     }
@@ -205,7 +205,7 @@ CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::s
         scopes_.needed(slot, attribute.value_where);
         return builder_.variable(slot, Dialect::tree);
     }
-    return builder_.constant(builder_.enumerated(literal_value(value)), Dialect::tree);
+    return builder_.constant(builder_.enumerated(value), Dialect::tree);
 }
 
 void TreeCompiler::leaf(const Place& place, const LeafType& type) {
@@ -230,9 +230,7 @@ void TreeCompiler::leaf(const Place& place, const LeafType& type) {
 void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribute& attribute) {
     const std::string_view value = document(place).string(attribute.value);
     if (!is_pointer(value)) {
-        if (port.direction == PortDirection::input) {
-            builder_.set_literal(port, builder_.enumerated(Value::text(value)));
-        }
+        if (port.direction == PortDirection::input) { builder_.set_literal(port, value); }
         return;
     }
     const SlotId slot = scopes_.variable(place.scope, pointer_key(value, port.name));
@@ -369,6 +367,7 @@ void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_
 // Entrances ---------------------------------------------------------------------------------------
 
 void compile_tree(ReadFile file, Builder& builder) {
+    builder.reserve(file.document.elements.size());
     TreeFiles files(builder);
     files.add(std::move(file));
     TreeCompiler compiler(builder, files);

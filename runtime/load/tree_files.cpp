@@ -12,7 +12,7 @@
 namespace trellis {
 
 void TreeFiles::add(ReadFile file) {
-    including_.push_back(file.source.name);
+    including_.push_back(file.name);
     const ReadFile& kept = files_.emplace_back(std::move(file));
     if (!kept.document.empty()) {
         for (const ElementId e : kept.document.children(kept.document.root())) {
@@ -40,8 +40,8 @@ void TreeFiles::add_include(const ReadFile& file, ElementId e) {
     Diagnostics& diagnostics = builder_.diagnostics();
     std::optional<Source> source;
     if (builder_.options().reader != nullptr) {
-        source = builder_.options().reader->read(name, file.source.name,
-                                                 file.document.value(e, "ros_pkg"));
+        source =
+            builder_.options().reader->read(name, file.name, file.document.value(e, "ros_pkg"));
     }
     if (!source) {
         diagnostics.error("unreadable-file", path->value_where,
@@ -59,13 +59,13 @@ void TreeFiles::add_include(const ReadFile& file, ElementId e) {
     }
     // a file that is included twice is the same file
     const bool known = std::any_of(files_.begin(), files_.end(), [&](const ReadFile& other) {
-        return other.source.name == source->name;
+        return other.name == source->name;
     });
     if (known) { return; }
     std::optional<Document> document = read(*source, diagnostics, builder_.options());
     if (!document) { return; }
     check(*document, builder_.grammar(), diagnostics);
-    add({std::move(*source), std::move(*document)});
+    add({std::move(source->name), std::move(*document)});
 }
 
 void TreeFiles::add_tree(const ReadFile& file, ElementId e) {
@@ -87,7 +87,7 @@ void TreeFiles::add_tree(const ReadFile& file, ElementId e) {
     if (const TreeSource* other = find(id); other != nullptr && !id.empty()) {
         const Where where = other->file->document.at(other->element).where;
         diagnostics.error("duplicate-id", file.document.at(e).where,
-                          "there is already a tree \"" + id + "\" in " + other->file->source.name +
+                          "there is already a tree \"" + id + "\" in " + other->file->name +
                               ", line " + std::to_string(where.line));
         return;
     }

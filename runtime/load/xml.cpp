@@ -29,6 +29,7 @@ public:
         const auto begin = check_text(text, limits_.bytes, Characters::xml, lines, diagnostics);
         if (!begin) { return std::nullopt; }
         at = *begin;
+        document_.strings = text;
         reserve();
         if (!take_declaration()) { return std::nullopt; }
         while (at < text.size()) {
@@ -47,32 +48,32 @@ private:
         std::size_t bindings = 0;  // of prefixes_ that were there before it
     };
 
-    /// Room for all there can be: "<a/>" is the shortest element, ` a=""` the shortest attribute.
+    /// Room for what a file as people write them has; counting what there is takes longer than
+    /// making more room in the others.
     void reserve() {
-        const auto count = [this](char c, std::size_t shortest) {
-            const auto found = static_cast<std::size_t>(std::count(text.begin(), text.end(), c));
-            return std::min(found, text.size() / shortest);
-        };
-        document_.strings.reserve(text.size());
-        document_.elements.reserve(std::min<std::size_t>(count('<', 4), limits_.elements));
-        document_.attributes.reserve(count('=', 5));
+        constexpr std::size_t bytes_per_element = 40;
+        constexpr std::size_t bytes_per_attribute = 20;
+        document_.elements.reserve(
+            std::min<std::size_t>(text.size() / bytes_per_element, limits_.elements));
+        document_.attributes.reserve(text.size() / bytes_per_attribute);
     }
+
+    Piece piece_of(std::string_view s) const { return Document::piece_of(text, s); }
 
     // Content -------------------------------------------------------------------------------------
 
     bool read_item() {
         if (text[at] != '<') { return read_text(); }
-        if (ahead("</")) { return read_end_tag(); }
-        if (ahead("<?")) { return skip_instruction(); }
+        const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+        if (next == '/') { return read_end_tag(); }
+        if (next == '?') { return skip_instruction(); }
+        if (next != '!') { return read_start_tag(); }
         if (ahead("<!--")) { return read_comment(); }
         if (ahead("<![CDATA[")) { return read_cdata(); }
         if (ahead("<!DOCTYPE")) {
             return fail("doctype", at, "document type definitions are not read: remove it");
         }
-        if (ahead("<!")) {
-            return fail_syntax("expected a comment \"<!--\" or \"<![CDATA[\" after \"<!\"");
-        }
-        return read_start_tag();
+        return fail_syntax("expected a comment \"<!--\" or \"<![CDATA[\" after \"<!\"");
     }
 
     bool outside_root() const { return depth_ == 0; }
@@ -85,14 +86,22 @@ private:
 
     std::string root_name() const { return std::string(document_.name(document_.root())); }
 
-    void append_text(std::size_t from, std::string_view piece) {
+    /// The character data of the open element, to which what stands at `from` is added.
+    std::string& text_from(std::size_t from) {
         Frame& frame = frames_[depth_ - 1];
         if (frame.text.empty()) { frame.text_at = from; }
-        frame.text += piece;
+        return frame.text;
     }
 
     bool read_text() {
         const std::size_t begin = at;
+        // most text is the blanks between tags
+        skip_blanks();
+        if (!outside_root() && (at == text.size() || text[at] == '<')) {
+            append_with_line_feeds(text_from(begin), text.substr(begin, at - begin));
+            return true;
+        }
+        at = begin;
         const std::size_t end = std::min(text.find('<', at), text.size());
         const std::string_view piece = text.substr(begin, end - begin);
         if (outside_root()) {
@@ -104,23 +113,20 @@ private:
             return fail_syntax(
                 "\"]]>\" may stand only at the end of a CDATA section; write \"]]&gt;\"");
         }
-        if (!decode(end)) { return false; }
-        append_text(begin, decoded_);
-        return true;
+        return decode(end, text_from(begin));
     }
 
-    /// Puts the text from here to `end` into decoded_: references replaced, line ends normalised.
-    bool decode(std::size_t end) {
-        decoded_.clear();
+    /// Appends the text from here to `end`: references replaced, line ends normalised.
+    bool decode(std::size_t end, std::string& to) {
         while (at < end) {
             const std::string_view left = text.substr(at, end - at);
             const std::string_view plain = left.substr(0, left.find('&'));
-            append_with_line_feeds(decoded_, plain);
+            append_with_line_feeds(to, plain);
             at += plain.size();
             if (at == end) { break; }
             const Reference reference = read_reference(left.substr(plain.size()));
             if (reference.character == 0) { return fail_reference(reference); }
-            append_utf8(decoded_, reference.character);
+            append_utf8(to, reference.character);
             at += reference.length;
         }
         return true;
@@ -147,9 +153,7 @@ private:
             return fail_syntax("the CDATA section is never closed with \"]]>\"");
         }
         // only line ends are normalised: an ampersand is itself
-        decoded_.clear();
-        append_with_line_feeds(decoded_, text.substr(begin, end - begin));
-        append_text(begin, decoded_);
+        append_with_line_feeds(text_from(begin), text.substr(begin, end - begin));
         at = end + 3;
         return true;
     }
@@ -237,7 +241,7 @@ private:
     ElementId open_element(std::string_view name, std::size_t offset) {
         if (depth_ == frames_.size()) { frames_.emplace_back(); }
         const ElementId parent = outside_root() ? ElementId{} : frames_[depth_ - 1].element;
-        const ElementId e = document_.open(parent, name, lines.at(offset));
+        const ElementId e = document_.open(parent, piece_of(name), lines.at(offset));
         Frame& frame = frames_[depth_++];
         frame.element = e;
         frame.text.clear();
@@ -285,18 +289,17 @@ private:
         const auto raw = take_value(name);
         if (!raw) { return false; }
         const std::size_t past = at;
-        const std::size_t value_at = past - 1 - raw->size();
-        // most values are written as they are
-        std::string_view value = *raw;
-        if (value.find('&') != std::string_view::npos ||
-            value.find('\r') != std::string_view::npos) {
+        const std::size_t value_at = past - 1 - raw->text.size();
+        Piece value = piece_of(raw->text);
+        if (!raw->plain) {
             at = value_at;
-            if (!decode(past - 1)) { return false; }
+            value.begin = static_cast<std::uint32_t>(document_.strings.size());
+            if (!decode(past - 1, document_.strings)) { return false; }
             at = past;
-            value = decoded_;
+            value.size = static_cast<std::uint32_t>(document_.strings.size()) - value.begin;
         }
         const Where where = lines.at(begin);
-        document_.add_attribute(e, name, value, where, lines.at(value_at));
+        document_.add_attribute(e, piece_of(name), value, where, lines.at(value_at));
         if (name.starts_with("xmlns:")) { bind(name.substr(6)); }
         return true;
     }
@@ -397,8 +400,7 @@ private:
     Document document_;
     std::vector<Frame> frames_;  // those below depth_ are open
     std::size_t depth_ = 0;
-    std::string docs_;     // the comments since the last tag
-    std::string decoded_;  // what decode() made
+    std::string docs_;  // the comments since the last tag
     // how often each prefix is declared by the open elements; the keys are pieces of text
     std::unordered_map<std::string_view, std::uint32_t> prefixes_;
     std::vector<std::string_view> bound_;  // in the order in which they were declared

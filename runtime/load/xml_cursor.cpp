@@ -38,7 +38,7 @@ std::string_view XmlCursor::take_name() {
     return name;
 }
 
-std::optional<std::string_view> XmlCursor::take_value(std::string_view name) {
+std::optional<XmlCursor::RawValue> XmlCursor::take_value(std::string_view name) {
     skip_blanks();
     if (!ahead("=")) {
         fail_expected("\"=\" and a quoted value after " + quoted(name));
@@ -52,8 +52,9 @@ std::optional<std::string_view> XmlCursor::take_value(std::string_view name) {
     }
     const char quote = text[at];
     const std::size_t begin = ++at;
-    while (at < text.size() && text[at] != quote && text[at] != '<') {
-        ++at;
+    RawValue value;
+    for (; at < text.size() && text[at] != quote && text[at] != '<'; ++at) {
+        if (text[at] == '&' || text[at] == '\r') { value.plain = false; }
     }
     if (at == text.size()) {
         fail("xml-syntax", begin - 1, "the value of " + quoted(name) + " has no closing quote");
@@ -65,8 +66,9 @@ std::optional<std::string_view> XmlCursor::take_value(std::string_view name) {
                     ": write \"&lt;\", or close the quote before it");
         return std::nullopt;
     }
+    value.text = text.substr(begin, at - begin);
     ++at;
-    return text.substr(begin, at - 1 - begin);
+    return value;
 }
 
 bool XmlCursor::take_declaration() {
@@ -106,7 +108,7 @@ XmlCursor::Declared XmlCursor::take_declared(std::string_view name) {
     if (!blank) { return {fail_expected("a blank before " + quoted(name)), false, {}}; }
     at += name.size();
     const auto value = take_value(name);
-    return {value.has_value(), value.has_value(), value.value_or(std::string_view())};
+    return {value.has_value(), value.has_value(), value.value_or(RawValue()).text};
 }
 
 bool XmlCursor::fail(const char* id, std::size_t offset, std::string message) {

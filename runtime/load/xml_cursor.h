@@ -30,8 +30,13 @@ struct XmlCursor {
     bool skip_blanks();
     /// Passes a name; empty if there is none.
     std::string_view take_name();
-    /// Passes the rest of `name = "value"`: the value as written, or none and an error.
-    std::optional<std::string_view> take_value(std::string_view name);
+    /// A value as written, without its quotes.
+    struct RawValue {
+        std::string_view text;
+        bool plain = true;  ///< it stands for itself: no "&" and no carriage return in it
+    };
+    /// Passes the rest of `name = "value"`; none and an error if it is wrong.
+    std::optional<RawValue> take_value(std::string_view name);
     /// Passes the XML declaration, if there is one; false and an error if it is wrong.
     bool take_declaration();
 

@@ -75,7 +75,7 @@ TEST_CASE("program: compares behaviour, not places or file names") {
     b.origins[1].line = 99;
     b.files = {"elsewhere"};
     CHECK(a == b);
-    b.names[1] = "other";
+    b.names.texts[1] = "other";
     CHECK_FALSE(a == b);
     b = a;
     b.rows[2].op = Op::force_success;
