@@ -83,7 +83,7 @@ void weight(benchmark::State& bench) {
         return static_cast<double>(table.capacity() * sizeof(table[0]));
     };
     bench.counters["program bytes per node"] =
-        (bytes(program.rows) + bytes(program.names) + bytes(program.origins) +
+        (bytes(program.rows) + bytes(program.names.by_row) + bytes(program.origins) +
          bytes(program.calls) + bytes(program.prototypes) + bytes(program.live_inputs)) /
         rows;
     bench.counters["state bytes per node"] =
