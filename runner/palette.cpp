@@ -18,7 +18,8 @@ namespace {
 std::string_view type_name(ValueType type) {
     switch (type) {
     case ValueType::int32: return name_of(PortType::int32);
-    case ValueType::int64: return name_of(PortType::int64);
+    case ValueType::int64:
+    case ValueType::count: return name_of(PortType::int64);
     case ValueType::number: return name_of(PortType::real);
     case ValueType::boolean: return name_of(PortType::boolean);
     case ValueType::key: return name_of(PortType::any);

@@ -27,19 +27,6 @@ T get(const std::byte* from) {
     return value;
 }
 
-bool to_boolean(const Value& value, bool& result) {
-    if (value.is(Value::Kind::text)) {
-        const std::string& text = value.as_text();
-        const bool yes = text == "1" || text == "true" || text == "True" || text == "TRUE";
-        const bool no = text == "0" || text == "false" || text == "False" || text == "FALSE";
-        result = yes;
-        return yes || no;
-    }
-    if (!value.is_number() && !value.is(Value::Kind::boolean)) { return false; }
-    result = value.number() != 0.0;
-    return value.number() == 0.0 || value.number() == 1.0;
-}
-
 bool to_real(const Value& value, double& result) {
     if (value.is(Value::Kind::text)) {
         const ParsedNumber parsed = parse_whole_number(value.as_text());
@@ -67,6 +54,19 @@ bool to_text(const Value& value, std::string& result) {
 }
 
 }  // namespace
+
+bool to_boolean(const Value& value, bool& result) {
+    if (value.is(Value::Kind::text)) {
+        const std::string& text = value.as_text();
+        const bool yes = text == "1" || text == "true" || text == "True" || text == "TRUE";
+        const bool no = text == "0" || text == "false" || text == "False" || text == "FALSE";
+        result = yes;
+        return yes || no;
+    }
+    if (!value.is_number() && !value.is(Value::Kind::boolean)) { return false; }
+    result = value.number() != 0.0;
+    return value.number() == 0.0 || value.number() == 1.0;
+}
 
 bool to_integer(const Value& value, std::int64_t& result) {
     if (value.is(Value::Kind::integer) || value.is(Value::Kind::boolean)) {

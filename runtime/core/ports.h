@@ -22,6 +22,9 @@ bool store_input(const Port& port, Value& value, std::byte* leaf);
 /// The whole number that `value` is, or that its text spells; false if it is none.
 bool to_integer(const Value& value, std::int64_t& result);
 
+/// The truth value that `value` is, or that its text spells; false if it is none.
+bool to_boolean(const Value& value, bool& result);
+
 /// What the output or in/out member of `port` holds, as a value.
 Value load_output(const Port& port, const std::byte* leaf);
 

@@ -137,6 +137,28 @@ private:
             field("port", port);
         }
         if (!p_.ports.empty()) { out_ += '\n'; }
+        nodes();
+    }
+
+    void nodes() {
+        for (const NodeInfo& node : p_.nodes) {
+            out_ += "  node";
+            field("ports", node.first_port);
+            field("entry", node.entry);
+            field("word", node.word);
+            field("queue", node.queue);
+            out_ += '\n';
+        }
+        for (const TestInfo& test : p_.tests) {
+            out_ += "  test ";
+            out_ += name_of(test.status);
+            field("status", test.status_script);
+            field("on success", test.on_success);
+            field("on failure", test.on_failure);
+            field("post", test.post);
+            field("word", test.word);
+            out_ += " after " + std::to_string(test.delay) + " ms\n";
+        }
     }
 
     void transitions() {
@@ -211,7 +233,9 @@ bool operator==(const Program& a, const Program& b) {
            a.code.guards == b.code.guards && a.calls == b.calls && a.live_inputs == b.live_inputs &&
            a.derived == b.derived && a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
            a.quiet_guards == b.quiet_guards && a.bound_outputs == b.bound_outputs &&
-           a.prototypes == b.prototypes && a.ports == b.ports && a.conditions == b.conditions &&
+           a.prototypes == b.prototypes && a.ports == b.ports && a.nodes == b.nodes &&
+           a.tests == b.tests && a.words == b.words && a.queues == b.queues &&
+           a.counts_writes == b.counts_writes && a.conditions == b.conditions &&
            a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&
            a.events == b.events && a.descriptors == b.descriptors && a.actions == b.actions &&
            a.blocks == b.blocks && a.labels == b.labels && a.invokes == b.invokes &&

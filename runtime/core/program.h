@@ -150,6 +150,32 @@ struct LeafCall {
     friend bool operator==(const LeafCall&, const LeafCall&) = default;
 };
 
+using WordId = Id<struct WordTag>;    ///< State::words
+using QueueId = Id<struct QueueTag>;  ///< State::queues
+
+/// What a built-in node of a tree has besides its children, if it has several ports or remembers
+/// more than State::memory holds.
+struct NodeInfo {
+    std::uint32_t first_port = 0;  ///< Program::ports, in the order of builtin_ports.def
+    SlotId entry = {};             ///< the variable it watches, writes or removes; may be none
+    WordId word = {};              ///< what it remembers: see exec/stepper.h
+    QueueId queue = {};            ///< the elements it took from a text
+
+    friend bool operator==(const NodeInfo&, const NodeInfo&) = default;
+};
+
+/// What stands in the place of a node that a substitution rule replaces: TestNodeConfig of
+/// BehaviorTree.CPP.
+struct TestInfo {
+    Status status = Status::success;  ///< what it returns
+    CodeId status_script;             ///< … unless there is this; its value names the status
+    CodeId on_success, on_failure, post;
+    std::int64_t delay = 0;  ///< ms before it returns
+    WordId word;             ///< the tick at which it does
+
+    friend bool operator==(const TestInfo&, const TestInfo&) = default;
+};
+
 /// A name of events, or a prefix of names. The table is a tree in document order of dotted tokens:
 /// descriptor d matches event e when d <= e < end(d) (SCXML 3.12.1). Row 0 is the empty name: as a
 /// descriptor it is "*".
@@ -277,7 +303,12 @@ struct Program {
     std::vector<FormulaStep> formula_steps;
     std::vector<BoundOutput> bound_outputs;
     std::vector<std::byte> prototypes;  ///< leaf structs as they are on entry, back to back
-    std::vector<CodeId> ports;  ///< inputs of built-in nodes: Row::arg of repeat, script, …
+    /// Inputs of built-in nodes: Row::arg of those with one only (repeat, retry, scripts).
+    std::vector<CodeId> ports;
+    std::vector<NodeInfo> nodes;          ///< Row::arg of built-in nodes with more
+    std::vector<TestInfo> tests;          ///< Row::arg of test
+    std::uint32_t words = 0, queues = 0;  ///< how many State::words and State::queues it needs
+    bool counts_writes = false;           ///< a node watches an entry: State::writes is used
     /// Sorted by row, only rows that have any.
     std::vector<std::pair<RowId, Conditions>> conditions;
 

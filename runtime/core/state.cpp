@@ -75,6 +75,15 @@ void write(ByteWriter& out, const Program& program, const State& state) {
     for (const EntryType type : state.entries) {
         out.put(type);
     }
+    for (const std::uint64_t word : state.words) {
+        out.put(word);
+    }
+    for (const Value& queue : state.queues) {
+        out.put(queue);
+    }
+    for (const std::uint32_t writes : state.writes) {
+        out.put(writes);
+    }
     for_each_member(
         program, [&](std::size_t at, std::size_t size) { out.put_bytes(&state.leaves[at], size); });
     const std::vector<std::uint64_t> words = state.random.words();
@@ -108,11 +117,10 @@ bool is_possible(const Program& program, const State& state) {
         return e.name.index < program.events.size() && e.type <= Event::Type::platform &&
                (!e.invoke || invoke_row(e.invoke));
     };
-    // a sequence remembers one of its children
+    // what a control remembers is one of its children
     for (std::uint32_t i = 0; i < program.rows.size(); ++i) {
-        const Op op = program.rows[i].op;
-        if (op != Op::sequence && op != Op::fallback) { continue; }
-        const RowId child{state.memory[i] & 0x7FFFFFFF};
+        if (op_table()[program.rows[i].op].group != OpGroup::control) { continue; }
+        const RowId child{state.memory[i] & 0x3FFFFFFF};
         if (child.index != 0 && (!row(child) || program.at(child).parent != RowId{i})) {
             return false;
         }
@@ -122,11 +130,15 @@ bool is_possible(const Program& program, const State& state) {
                        [](Status s) { return s <= Status::skipped; }) &&
            std::all_of(state.entries.begin(), state.entries.end(),
                        [](EntryType t) { return t <= EntryType::text; }) &&
+           std::all_of(state.queues.begin(), state.queues.end(),
+                       [](const Value& queue) {
+                           return queue.is(Value::Kind::undefined) || queue.is(Value::Kind::array);
+                       }) &&
            std::all_of(session.invokes.begin(), session.invokes.end(), invoke_row) &&
            std::all_of(session.internal.begin(), session.internal.end(), event) &&
            std::all_of(session.external.begin(), session.external.end(), event) &&
            row(state.last_leaf) && row(state.fault.row) && state_row(session.atom) &&
-           state_row(session.final) && state.fault.kind <= Fault::Kind::draws &&
+           state_row(session.final) && state.fault.kind <= Fault::Kind::node &&
            (!program.is_machine() || !state.started || session.atom);
 }
 
@@ -146,6 +158,14 @@ State fresh_state(const Program& program) {
         state.slots.push_back(slot.initial);
         state.entries.push_back(slot.type);
     }
+    state.words.assign(program.words, 0);
+    state.queues.resize(program.queues);
+    if (program.counts_writes) {
+        // a value that is there from the beginning was written once
+        for (const Slot& slot : program.slots) {
+            state.writes.push_back(slot.initial.is(Value::Kind::undefined) ? 0 : 1);
+        }
+    }
     state.temporaries.resize(program.code.temporaries);
     state.inputs.resize(program.live_inputs.size());
     state.derived.resize(program.derived.size());
@@ -162,7 +182,8 @@ bool same(const Program& program, const State& a, const State& b) {
     const Session& t = b.session;
     return members && a.tick == b.tick && a.started == b.started && a.woken == b.woken &&
            a.last_leaf == b.last_leaf && a.status == b.status && a.memory == b.memory &&
-           a.slots == b.slots && a.entries == b.entries && a.random == b.random &&
+           a.slots == b.slots && a.entries == b.entries && a.words == b.words &&
+           a.queues == b.queues && a.writes == b.writes && a.random == b.random &&
            s.atom == t.atom && s.invokes == t.invokes &&
            same_queue(s.internal, s.internal_next, t.internal, t.internal_next) &&
            same_queue(s.external, s.external_next, t.external, t.external_next) &&
@@ -193,6 +214,15 @@ std::optional<State> restore(const Program& program, std::span<const std::byte> 
     }
     for (EntryType& type : state.entries) {
         in.get(type);
+    }
+    for (std::uint64_t& word : state.words) {
+        in.get(word);
+    }
+    for (Value& queue : state.queues) {
+        in.get(queue);
+    }
+    for (std::uint32_t& writes : state.writes) {
+        in.get(writes);
     }
     for_each_member(
         program, [&](std::size_t at, std::size_t size) { in.get_bytes(&state.leaves[at], size); });

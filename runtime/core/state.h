@@ -28,6 +28,7 @@ struct Fault {
         budget,       ///< the tick took more steps than allowed; `row` is where it was
         livelock,     ///< machine `row` took more microsteps in one macrostep than allowed
         draws,        ///< the list of random numbers to replay is used up
+        node,         ///< built-in node `row` cannot do what it is asked to
     };
     Kind kind = Kind::none;
     RowId row;
@@ -73,11 +74,16 @@ struct State {
     std::vector<std::uint32_t> memory;  ///< by row: see exec/stepper.h
     std::vector<Value> slots;           ///< by slot
     std::vector<EntryType> entries;     ///< by slot
+    std::vector<std::uint64_t> words;   ///< NodeInfo::word, where `memory` is not enough
+    std::vector<Value> queues;          ///< NodeInfo::queue: arrays, undefined before they are read
+    /// By slot: how often it was written since it exists; empty unless Program::counts_writes.
+    std::vector<std::uint32_t> writes;
     /// Derived, not part of what a state is: the row at which the next tick of a tree may begin.
     RowId resume;
     /// Scratch, not part of what a state is: temporaries of expressions, and by live input the
-    /// value it had in the last tick.
+    /// value it had in the last tick, and two texts that are compared.
     std::vector<Value> temporaries, inputs;
+    std::string left, right;
     /// Scratch too: the last result of each derived number.
     struct Memo {
         Value variable;  ///< the number it was computed from; undefined before the first time

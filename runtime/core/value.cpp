@@ -162,6 +162,14 @@ bool Value::append(Value value) {
     return true;
 }
 
+Value Value::take_first() {
+    assert(kind_ == Kind::array);
+    if (payload_.array->empty()) return {};
+    Value first = std::move(payload_.array->front());
+    payload_.array->erase(payload_.array->begin());
+    return first;
+}
+
 bool Value::set_member(std::string_view key, Value value) {
     assert(kind_ == Kind::object);
     if (value.depth_ >= max_depth) return false;

@@ -115,6 +115,9 @@ public:
     /// max_depth.
     bool append(Value value);
 
+    /// Takes the first element from an array and returns it; undefined if there is none.
+    Value take_first();
+
     /// Adds or overwrites a member of an object. False, and no change, if that would nest deeper
     /// than max_depth.
     bool set_member(std::string_view key, Value value);

@@ -55,6 +55,10 @@ Truth tree_ternary(
 Truth tree_condition(const Value& v);  ///< of a node: a real that is not negative, 0, 1
 Truth machine_condition(const Value& v);
 
+/// What a text spells where a value of that type is wanted, as BehaviorTree.CPP converts it: a
+/// number by what the text begins with. False, and `out` as it was, if it spells none.
+bool convert_text(EntryType type, std::string_view text, Value& out);
+
 /// a == b in machines: numbers and booleans by their number, a text beside a number by the number
 /// it spells, arrays and objects by their content.
 bool machine_equal(const Value& a, const Value& b);

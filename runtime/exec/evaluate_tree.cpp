@@ -201,38 +201,6 @@ bool unary(EvalContext& context, CodeOp op, const Value& a, Value& target) {
     return true;
 }
 
-// a text that is assigned to a typed entry: BehaviorTree.CPP's convertFromString
-bool converted(EvalContext& context, EntryType type, const Value& v, Value& out) {
-    const std::string& text = v.as_text();
-    const char* const end = text.data() + text.size();
-    switch (type) {
-    case EntryType::boolean: {
-        const bool yes = text == "1" || text == "true" || text == "True" || text == "TRUE";
-        if (!yes && text != "0" && text != "false" && text != "False" && text != "FALSE") break;
-        out.set_integer(yes ? 1 : 0);
-        return true;
-    }
-    case EntryType::integer:
-    case EntryType::unsigned_integer: {
-        std::int64_t value = 0;
-        const auto [read, error] = std::from_chars(text.data(), end, value);
-        if (error != std::errc() || (type == EntryType::unsigned_integer && value < 0)) break;
-        out.set_integer(value);
-        return true;
-    }
-    case EntryType::real: {
-        const ParsedNumber parsed = parse_number(text);
-        if (parsed.length == 0 || parsed.out_of_range) break;
-        out.set_real(parsed.value);
-        return true;
-    }
-    case EntryType::text: out = v; return true;
-    case EntryType::missing:
-    case EntryType::any: break;
-    }
-    return fail(context, EvalErrorKind::type_fixed, out, v);
-}
-
 // writes `v` without changing the type of what the variable holds
 bool copy_into(EvalContext& context, EntryType type, const Value& v, Value& variable) {
     if (variable.is(Value::Kind::undefined) || variable.kind() == v.kind()) {
@@ -258,7 +226,10 @@ bool copy_into(EvalContext& context, EntryType type, const Value& v, Value& vari
 bool assign(const CodeTable& code, EvalContext& context, EntryType type, const Value& v,
             Value& variable) {
     if (v.is(Value::Kind::text) && !variable.is(Value::Kind::text)) {
-        if (type != EntryType::any) return converted(context, type, v, variable);
+        if (type != EntryType::any) {
+            return convert_text(type, v.as_text(), variable) ||
+                   fail(context, EvalErrorKind::type_fixed, variable, v);
+        }
         if (is_number(variable)) {
             double number = 0;
             if (!text_as_double(code, context, v, number)) return false;
@@ -310,6 +281,40 @@ bool existence(EvalContext& context, const Instruction& in) {
 }
 
 }  // namespace
+
+bool convert_text(EntryType type, std::string_view text, Value& out) {
+    const char* const end = text.data() + text.size();
+    switch (type) {
+    case EntryType::boolean: {
+        const bool yes = text == "1" || text == "true" || text == "True" || text == "TRUE";
+        if (!yes && text != "0" && text != "false" && text != "False" && text != "FALSE") {
+            return false;
+        }
+        out.set_integer(yes ? 1 : 0);
+        return true;
+    }
+    case EntryType::integer:
+    case EntryType::unsigned_integer: {
+        std::int64_t value = 0;
+        const auto [read, error] = std::from_chars(text.data(), end, value);
+        if (error != std::errc() || (type == EntryType::unsigned_integer && value < 0)) {
+            return false;
+        }
+        out.set_integer(value);
+        return true;
+    }
+    case EntryType::real: {
+        const ParsedNumber parsed = parse_number(text);
+        if (parsed.length == 0 || parsed.out_of_range) { return false; }
+        out.set_real(parsed.value);
+        return true;
+    }
+    case EntryType::text: out.set_text(text); return true;
+    case EntryType::missing:
+    case EntryType::any: break;
+    }
+    return false;
+}
 
 bool tree_operation(const CodeTable& code, EvalContext& context, const Instruction& in) {
     const Value& a = value_at(context, in.a);

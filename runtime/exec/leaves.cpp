@@ -131,6 +131,7 @@ bool Stepper::write_outputs(RowId n, const LeafCall& leaf, std::byte* self) {
             fault(Fault::Kind::output, n, "output \"" + port.name + "\": " + why);
             return false;
         }
+        count_write(output.slot);
     }
     return true;
 }

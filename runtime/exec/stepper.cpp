@@ -6,6 +6,7 @@
 #include "core/ports.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ void Stepper::fill_context() {
     EvalContext& context = context_.emplace();
     context.use(p_.code, s_.slots.data(), s_.temporaries.data());
     context.entry_types = reinterpret_cast<std::uint8_t*>(s_.entries.data());
+    context.writes = s_.writes.empty() ? nullptr : s_.writes.data();
     context.row_memory = memory_;
     context.cycle = s_.session.clock;
     context.dt = tick_.dt;
@@ -83,7 +85,8 @@ RowId Stepper::resumable(RowId root) const {
         const Row& row = rows_[n.index];
         if (status_[n.index] != Status::running) { return {}; }
         if (row.conditional) { break; }
-        if (row.op == Op::sequence || row.op == Op::fallback) {
+        if (row.op == Op::sequence || row.op == Op::fallback || row.op == Op::async_sequence ||
+            row.op == Op::async_fallback || row.op == Op::sequence_with_memory) {
             const std::uint32_t child = memory_[n.index] & ~not_all_skipped;
             n = child != 0 ? RowId{child} : first_child(n);
         } else if (row.op == Op::inverter || row.op == Op::force_success ||
@@ -174,21 +177,56 @@ void Stepper::halt_node(RowId n) {
     switch (row.op) {
     case Op::sequence:
     case Op::fallback:
+    case Op::async_sequence:
+    case Op::async_fallback:
+    case Op::if_then_else:
+    case Op::switch2:
+    case Op::switch3:
+    case Op::switch4:
+    case Op::switch5:
+    case Op::switch6:
     case Op::repeat:
-    case Op::retry: memory_[n.index] = 0; [[fallthrough]];
+    case Op::retry:
+    case Op::delay:
+    case Op::timeout:
+    case Op::precondition:
+    case Op::skip_unless_updated:
+    case Op::wait_value_update: memory_[n.index] = 0; [[fallthrough]];
+    case Op::sequence_with_memory:
     case Op::reactive_sequence:
     case Op::reactive_fallback:
+    case Op::parallel:
+    case Op::parallel_all:
+    case Op::while_do_else:
     case Op::inverter:
     case Op::force_success:
     case Op::force_failure:
+    case Op::keep_running:
+    case Op::run_once:
+    case Op::loop_int:
+    case Op::loop_bool:
+    case Op::loop_double:
+    case Op::loop_string:
     case Op::tree:
     case Op::subtree:
     case Op::invoke: reset_children(n); break;
+    case Op::try_catch: halt_try_catch(n, row); break;
     case Op::action:
     case Op::condition:
         if (status_[n.index] == Status::running) { halt_leaf(n); }
         break;
+    case Op::sleep:
+    case Op::test:
+        if (status_[n.index] == Status::running) {
+            trace({.kind = TraceEvent::Kind::halt, .row = n});
+        }
+        break;
     case Op::machine: leave_all(); break;
+    case Op::always_success:
+    case Op::always_failure:
+    case Op::set_blackboard:
+    case Op::unset_blackboard:
+    case Op::was_entry_updated:
     case Op::script:
     case Op::script_condition:
     case Op::state:
@@ -201,10 +239,13 @@ void Stepper::halt_node(RowId n) {
     }
 }
 
-void Stepper::reset_children(RowId n) {
-    for (const RowId child : children(p_, n)) {
-        reset(child);
+std::uint32_t Stepper::child_count(RowId n) const {
+    std::uint32_t count = 0;
+    for (RowId child = first_child(n); child != rows_[n.index].end;
+         child = rows_[child.index].end) {
+        ++count;
     }
+    return count;
 }
 
 // Halts what runs; then, in a tree, every node once more as haltTree() of BehaviorTree.CPP does:
@@ -264,6 +305,44 @@ bool Stepper::integer_port(RowId n, CodeId code, std::int64_t& result) {
     if (to_integer(value, result)) { return true; }
     fault(Fault::Kind::expression, n, print(value) + " is not a whole number");
     return false;
+}
+
+bool Stepper::boolean_port(RowId n, CodeId code, bool& result) {
+    const Value* value = port_value(code);
+    if (value != nullptr && to_boolean(*value, result)) { return true; }
+    fault(Fault::Kind::expression, n,
+          value == nullptr ? "a port has no value" : print(*value) + " is neither true nor false");
+    return false;
+}
+
+Status Stepper::status_of(RowId n, const Value* value) {
+    if (value != nullptr && value->is(Value::Kind::text)) {
+        for (const Status status :
+             {Status::running, Status::success, Status::failure, Status::skipped}) {
+            if (name_of(status) == value->as_text()) { return status; }
+        }
+    }
+    return fault(Fault::Kind::expression, n,
+                 value == nullptr ? "a port has no value" : print(*value) + " is no status");
+}
+
+// Ports that are no scripts are compiled to one copy.
+const Value* Stepper::port_value(CodeId code) const {
+    if (!code) { return nullptr; }
+    const Operand from = p_.code.instructions[code.index].a;
+    if (from.space() == Space::constant) { return &p_.code.constants[from.index()]; }
+    const bool exists = s_.entries[from.index()] != EntryType::missing;
+    const Value& value = s_.slots[from.index()];
+    return exists && !value.is(Value::Kind::undefined) ? &value : nullptr;
+}
+
+// A time that is a whole number of ticks must not take one more because a product is rounded up.
+std::uint64_t Stepper::tick_after(std::int64_t ms) const {
+    constexpr double rounding = 1e-9;
+    constexpr double never = 9e15;
+    if (ms <= 0) { return tick_.count; }
+    const double ticks = static_cast<double>(ms) / 1000.0 / tick_.dt * (1.0 - rounding);
+    return tick_.count + static_cast<std::uint64_t>(std::ceil(std::min(ticks, never)));
 }
 
 // Faults and trace --------------------------------------------------------------------------------

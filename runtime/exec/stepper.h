@@ -1,13 +1,7 @@
 // The interpreter behind step(): one call's view of a program and the state it may change. Private
-// to runtime/exec. The rules are spread over tree_rules.cpp (trees), machine_rules.cpp and
-// configuration.cpp (machines), leaves.cpp (leaves) and stepper.cpp (what all share).
-//
-// What State::memory holds, by kind of row:
-//   sequence, fallback     the child to go on at, 0 for the first; top bit: a child was not skipped
-//   repeat, retry          completed cycles
-//   tree, subtree          ticks since it was entered, the current one included: elapsed()
-//   state, machine         Session::clock when it was entered: elapsed()
-//   invoke                 number of its activations
+// to runtime/exec. The rules are spread over tree_rules.cpp, tree_controls.cpp, tree_decorators.cpp
+// and tree_leaves.cpp (trees), machine_rules.cpp and configuration.cpp (machines), leaves.cpp
+// (leaves) and stepper.cpp (what all share).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -26,6 +20,24 @@
 
 namespace trellis {
 
+// What State::memory holds, by kind of row:
+//   sequences, fallbacks   the child to go on at, 0 for the first; top bit: a child was not skipped
+//   try_catch              the same; next bit: the last child is being ticked
+//   if_then_else, switch*  the child that was chosen, 0 for none
+//   repeat, retry          completed cycles
+//   delay                  0 not begun, 1 waiting, 2 over
+//   timeout                0 not begun, 1 begun, 2 begun and no longer limited
+//   run_once               the status it ended with, 0 before
+//   precondition           1: the child was let in
+//   loop_*                 elements taken; top bit: the child runs
+//   skip_unless_updated, wait_value_update    1: the child runs
+//   tree, subtree          ticks since it was entered, the current one included: elapsed()
+//   state, machine         Session::clock when it was entered: elapsed()
+//   invoke                 number of its activations
+// and State::words, where a row has one:
+//   sequences, try_catch   skipped children since the count was last cleared
+//   delay, timeout, sleep, test               the tick at which the time is over
+//   *_updated              how often the entry had been written when it was last looked at
 class Stepper {
 public:
     Stepper(const Program& program, State& state, HostRef host, const StepOptions& options)
@@ -81,12 +93,25 @@ private:
         if (status_[n.index] == Status::running) { halt_node(n); }
         if (status_[n.index] != Status::idle) { store(n, Status::idle); }
     }
-    void reset_children(RowId n);
+    void reset_children(RowId n) { reset_from(first_child(n), rows_[n.index].end); }
+    /// Resets the children from `child` on.
+    void reset_from(RowId child, RowId end) {
+        for (; child != end; child = rows_[child.index].end) {
+            reset(child);
+        }
+    }
+    std::uint32_t child_count(RowId n) const;
+    /// Begins to count skipped children anew. A count is kept only where a node may be ticked again
+    /// without having been reset (Row::arg, 0 elsewhere): there BehaviorTree.CPP goes on counting
+    /// after a failure.
+    void clear_skips(const Row& row) {
+        if (row.arg != 0) { s_.words[row.arg - 1] = 0; }
+    }
 
     // Trees: tree_rules.cpp ----------------------------------------------------------------------
 
-    template <Status stop, Status go_on>
-    Status tick_in_order(RowId n);
+    template <Status stop, Status go_on, bool yields = false, bool keeps_place = false>
+    Status tick_in_order(RowId n, const Row& row);
     template <Status stop, Status go_on>
     Status tick_reactive(RowId n);
     Status tick_mapped(RowId n, Status on_success, Status on_failure);
@@ -96,6 +121,47 @@ private:
     Status tick_script_condition(RowId n, const Row& row);
     Status tick_scope(RowId n);
     Status tick_only_child(RowId n);
+
+    // Trees: tree_controls.cpp -------------------------------------------------------------------
+
+    Status tick_parallel(RowId n, const Row& row);
+    Status tick_parallel_all(RowId n, const Row& row);
+    bool threshold(RowId n, CodeId port, std::uint32_t children, std::uint32_t& result,
+                   bool& is_relative);
+    std::uint32_t children_that(RowId n, Status stored) const;
+    Status tick_if_then_else(RowId n);
+    Status tick_while_do_else(RowId n);
+    Status tick_question(RowId n);
+    Status tick_switch(RowId n, const Row& row);
+    RowId chosen_case(RowId n, const Row& row);
+    Status tick_try_catch(RowId n, const Row& row);
+    Status tick_catch(RowId n, const Row& row);
+    void halt_try_catch(RowId n, const Row& row);
+    RowId last_child(RowId n, const Row& row) const;
+    // Trees: tree_decorators.cpp -----------------------------------------------------------------
+
+    Status tick_keep_running(RowId n);
+    Status tick_delay(RowId n, const Row& row);
+    Status tick_timeout(RowId n, const Row& row);
+    Status tick_run_once(RowId n, const Row& row);
+    Status tick_precondition(RowId n, const Row& row);
+    Status tick_queue(RowId n, const Row& row, EntryType elements);
+    bool next_element(RowId n, const Row& row, EntryType elements, Value& element);
+    bool write_element(RowId n, SlotId slot, EntryType elements, const Value& element);
+    bool split_queue(RowId n, std::string_view text, EntryType elements, Value& queue);
+    Status tick_updated(RowId n, const Row& row, Status otherwise);
+    bool was_written(const NodeInfo& node);
+
+    // Trees: tree_leaves.cpp ---------------------------------------------------------------------
+
+    Status ticked(RowId n, Status status);
+    Status tick_set_blackboard(RowId n, const Row& row);
+    bool copy_entry(RowId n, SlotId to, const Value& value);
+    Status tick_unset_blackboard(RowId n, const Row& row);
+    SlotId named_entry(RowId n, const NodeInfo& node, CodeId port);
+    Status tick_sleep(RowId n, const Row& row);
+    Status tick_test(RowId n, const Row& row);
+    Status finish_test(RowId n, const TestInfo& test);
 
     // Leaves: leaves.cpp -------------------------------------------------------------------------
 
@@ -170,6 +236,25 @@ private:
 
     /// The integer that port `port` of a built-in node holds now; false after a fault.
     bool integer_port(RowId n, CodeId code, std::int64_t& result);
+    bool boolean_port(RowId n, CodeId code, bool& result);
+    /// The status that such a port names; idle after a fault.
+    Status status_port(RowId n, CodeId code) { return status_of(n, port_value(code)); }
+    Status status_of(RowId n, const Value* name);
+    /// What a port holds now, in the state or among the constants; null if it is not given or its
+    /// variable has no value.
+    const Value* port_value(CodeId code) const;
+    bool is_literal(CodeId code) const {
+        return p_.code.instructions[code.index].a.space() == Space::constant;
+    }
+    CodeId port(const NodeInfo& node, std::uint32_t index) const {
+        return p_.ports[node.first_port + index];
+    }
+    /// Counts a write to a variable, for nodes that watch it.
+    void count_write(SlotId slot) {
+        if (!s_.writes.empty()) { ++s_.writes[slot.index]; }
+    }
+    /// The tick in which `ms` milliseconds from now are over.
+    std::uint64_t tick_after(std::int64_t ms) const;
     /// Evaluates a condition of a machine: one that fails raises error.execution and is false.
     bool holds(RowId n, CodeId code);
     bool holds(RowId n, const Condition& condition);

@@ -1,4 +1,6 @@
 // How the nodes of a tree are ticked: BehaviorTree.CPP 4.10's rules, one function each (TREES §1).
+// Here are the nodes of every tree; the others are in tree_controls.cpp, tree_decorators.cpp and
+// tree_leaves.cpp.
 // Covered by tests/exec/tree_test.cpp and, on all small trees, tests/exec/tree_reference_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "exec/stepper.h"
@@ -8,8 +10,8 @@ namespace trellis {
 Status Stepper::dispatch(RowId n, const Row& row) {
     using enum Status;
     switch (row.op) {
-    case Op::sequence: return tick_in_order<failure, success>(n);
-    case Op::fallback: return tick_in_order<success, failure>(n);
+    case Op::sequence: return tick_in_order<failure, success>(n, row);
+    case Op::fallback: return tick_in_order<success, failure>(n, row);
     case Op::reactive_sequence: return tick_reactive<failure, success>(n);
     case Op::reactive_fallback: return tick_reactive<success, failure>(n);
     case Op::inverter: return tick_mapped(n, failure, success);
@@ -17,6 +19,38 @@ Status Stepper::dispatch(RowId n, const Row& row) {
     case Op::force_failure: return tick_mapped(n, failure, failure);
     case Op::repeat: return tick_loop<failure, success>(n, row);
     case Op::retry: return tick_loop<success, failure>(n, row);
+    case Op::async_sequence: return tick_in_order<failure, success, true>(n, row);
+    case Op::async_fallback: return tick_in_order<success, failure, true>(n, row);
+    case Op::sequence_with_memory: return tick_in_order<failure, success, true, true>(n, row);
+    case Op::parallel: return tick_parallel(n, row);
+    case Op::parallel_all: return tick_parallel_all(n, row);
+    case Op::if_then_else: return tick_if_then_else(n);
+    case Op::while_do_else: return tick_while_do_else(n);
+    case Op::switch2:
+    case Op::switch3:
+    case Op::switch4:
+    case Op::switch5:
+    case Op::switch6: return tick_switch(n, row);
+    case Op::try_catch: return tick_try_catch(n, row);
+    case Op::keep_running: return tick_keep_running(n);
+    case Op::delay: return tick_delay(n, row);
+    case Op::timeout: return tick_timeout(n, row);
+    case Op::run_once: return tick_run_once(n, row);
+    case Op::precondition: return tick_precondition(n, row);
+    case Op::loop_int: return tick_queue(n, row, EntryType::integer);
+    case Op::loop_bool: return tick_queue(n, row, EntryType::boolean);
+    case Op::loop_double: return tick_queue(n, row, EntryType::real);
+    case Op::loop_string: return tick_queue(n, row, EntryType::text);
+    case Op::skip_unless_updated: return tick_updated(n, row, skipped);
+    case Op::wait_value_update: return tick_updated(n, row, running);
+    case Op::always_success: return ticked(n, success);
+    case Op::always_failure: return ticked(n, failure);
+    case Op::set_blackboard: return tick_set_blackboard(n, row);
+    case Op::unset_blackboard: return tick_unset_blackboard(n, row);
+    case Op::sleep: return tick_sleep(n, row);
+    case Op::was_entry_updated:
+        return ticked(n, was_written(p_.nodes[row.arg]) ? success : failure);
+    case Op::test: return tick_test(n, row);
     case Op::script: return tick_script(n, row);
     case Op::script_condition: return tick_script_condition(n, row);
     case Op::action: return tick_action(n, row);
@@ -32,11 +66,12 @@ Status Stepper::dispatch(RowId n, const Row& row) {
 }
 
 // Sequence and Fallback: tick children in order until one returns `stop`, resume at the running
-// one. A tick of children that were all skipped is skipped.
-template <Status stop, Status go_on>
-Status Stepper::tick_in_order(RowId n) {
+// one. A tick of children that were all skipped is skipped. The others of their kind yield after
+// each child that completes in the tick it began, or begin again where they stopped.
+template <Status stop, Status go_on, bool yields, bool keeps_place>
+Status Stepper::tick_in_order(RowId n, const Row& row) {
     const RowId first = first_child(n);
-    const RowId last = rows_[n.index].end;
+    const RowId last = row.end;
     std::uint32_t& memory = memory_[n.index];
 
     // a fresh start counts skipped children anew; one that begins later cannot skip them all
@@ -46,26 +81,40 @@ Status Stepper::tick_in_order(RowId n) {
     const Status stored = status_[n.index];
     if (stored == Status::idle || stored == Status::skipped) {
         seen = child == first ? 0 : not_all_skipped;
+        clear_skips(row);
     }
     store(n, Status::running);
 
     while (child != last) {
+        const bool fresh = yields && status_[child.index] == Status::idle;
         const Status status = tick(child);
+        const RowId next = rows_[child.index].end;
         switch (status) {
         case Status::running: memory = child.index | seen; return status;
         case Status::idle: return status;
         case stop:
-            memory = 0;
-            reset_children(n);
+            memory = keeps_place ? child.index | seen : 0;
+            reset_from(keeps_place ? child : first, last);
             return status;
-        case Status::skipped: break;
-        case go_on: seen = not_all_skipped; break;
+        case Status::skipped:
+            if (row.arg != 0) { ++s_.words[row.arg - 1]; }
+            break;
+        case go_on:
+            seen = not_all_skipped;
+            if (fresh && next != last) {
+                memory = next.index | seen;
+                s_.woken = true;
+                return Status::running;
+            }
+            break;
         }
-        child = rows_[child.index].end;
+        child = next;
     }
     memory = 0;
     reset_children(n);
-    return seen != 0 ? go_on : Status::skipped;
+    const bool all_skipped = row.arg != 0 ? s_.words[row.arg - 1] == child_count(n) : seen == 0;
+    clear_skips(row);
+    return all_skipped ? Status::skipped : go_on;
 }
 
 // ReactiveSequence and ReactiveFallback: start at the first child in every tick. While one runs,

@@ -91,6 +91,7 @@ std::string_view noun(ValueType type) {
     case ValueType::text: return "a text";
     case ValueType::int32:
     case ValueType::int64: return "an integer";
+    case ValueType::count: return "an integer from 0";
     case ValueType::number: return "a number";
     case ValueType::key: return "a {key}";
     case ValueType::name: return "a name without blanks";
@@ -112,6 +113,7 @@ std::string literal_pattern(const AttributeRule& rule) {
     case ValueType::int32:
     case ValueType::int64:
         return rule.choices.empty() ? "-?[0-9]+" : "-?[0-9]+|" + alternatives(rule.choices);
+    case ValueType::count: return "[0-9]+";
     case ValueType::number: return "[+\\-]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
     case ValueType::boolean: return alternatives(booleans);
     case ValueType::key: return " *\\{[^{}]+\\} *";
@@ -144,6 +146,7 @@ bool accepts(const AttributeRule& rule, std::string_view value) {
     case ValueType::expression: return true;
     case ValueType::int32:
     case ValueType::int64: return is_integer(value) || contains(rule.choices, value);
+    case ValueType::count: return is_integer(value) && !value.starts_with('-');
     case ValueType::number: return is_number(value);
     case ValueType::boolean: return contains(booleans, value);
     case ValueType::key: return is_pointer(value);
@@ -156,9 +159,11 @@ bool accepts(const AttributeRule& rule, std::string_view value) {
 }
 
 bool in_range(const AttributeRule& rule, std::string_view value) {
-    const bool narrow = rule.type == ValueType::int32;
-    if ((!narrow && rule.type != ValueType::int64) || !is_integer(value)) { return true; }
-    return narrow ? fits<std::int32_t>(value) : fits<std::int64_t>(value);
+    const bool whole = rule.type == ValueType::int32 || rule.type == ValueType::int64 ||
+                       rule.type == ValueType::count;
+    if (!whole || !is_integer(value)) { return true; }
+    if (rule.type == ValueType::int32) { return fits<std::int32_t>(value); }
+    return rule.type == ValueType::count ? fits<std::uint32_t>(value) : fits<std::int64_t>(value);
 }
 
 std::string expectation(const AttributeRule& rule) {

@@ -17,6 +17,7 @@ enum class ValueType : std::uint8_t {
     text,        ///< anything
     int32,       ///< -?[0-9]+, or one of the choices: a name that stands for an integer
     int64,       ///< likewise
+    count,       ///< [0-9]+
     number,      ///< a decimal number: 1, -0.5, .5, 1e-3; not inf or nan
     boolean,     ///< 0, 1, true, false, True, False, TRUE or FALSE
     key,         ///< only {key}: what an output is written to

@@ -217,8 +217,9 @@ private:
 
     /// Whether the type tells more than the attribute's name.
     static bool says_more(ValueType type) {
-        return type == ValueType::int32 || type == ValueType::int64 || type == ValueType::number ||
-               type == ValueType::boolean || type == ValueType::key || type == ValueType::choice;
+        return type == ValueType::int32 || type == ValueType::int64 || type == ValueType::count ||
+               type == ValueType::number || type == ValueType::boolean || type == ValueType::key ||
+               type == ValueType::choice;
     }
 
     void check_required(ElementId e, const ElementRule& rule, bool structural_fault) {
@@ -244,7 +245,7 @@ private:
         } else if (!in_range(rule, value)) {
             error("out-of-range", attribute.value_where,
                   "\"" + rule.name + "\": " + std::string(value) + " does not fit " +
-                      (rule.type == ValueType::int32 ? "32" : "64") + " bits");
+                      (rule.type == ValueType::int64 ? "64" : "32") + " bits");
         }
     }
 
@@ -258,9 +259,11 @@ private:
         const std::string_view value = document_.string(attribute.value);
         if (!attribute.bare) { return accepts(rule, value); }
         if (is_null(attribute) || rule.type == ValueType::choice) { return false; }
-        if (rule.type == ValueType::int32 || rule.type == ValueType::int64) {
+        const bool count = rule.type == ValueType::count;
+        if (rule.type == ValueType::int32 || rule.type == ValueType::int64 || count) {
             const ParsedNumber number = parse_whole_number(value);
-            return number.length != 0 && number.value == std::floor(number.value);
+            return number.length != 0 && number.value == std::floor(number.value) &&
+                   (!count || number.value >= 0.0);
         }
         return accepts(rule, value);
     }

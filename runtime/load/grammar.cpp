@@ -160,6 +160,7 @@ private:
 /// The built-in nodes that have a spelling of their own, with their ports.
 void add_built_in_nodes(GrammarBuilder& builder) {
     using enum ValueType;
+    constexpr ValueType any = text;
     for (const OpInfo& info : op_table()) {
         const bool is_node = info.group == OpGroup::control || info.group == OpGroup::decorator ||
                              info.group == OpGroup::action || info.group == OpGroup::condition;

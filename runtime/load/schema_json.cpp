@@ -46,6 +46,8 @@ Json value_schema(const AttributeRule& rule) {
     case ValueType::expression: return any_text();
     case ValueType::int32:
     case ValueType::int64: return {{"type", {"integer", "string"}}, {"pattern", expression}};
+    case ValueType::count:
+        return {{"type", {"integer", "string"}}, {"pattern", expression}, {"minimum", 0}};
     case ValueType::number: return {{"type", {"number", "string"}}, {"pattern", expression}};
     case ValueType::boolean:
         return {{"anyOf",

@@ -214,6 +214,7 @@ private:
         case ValueType::expression: break;
         case ValueType::int32:
         case ValueType::int64: return "integer";
+        case ValueType::count: return "count";
         case ValueType::number: return "number";
         case ValueType::boolean: return "boolean";
         case ValueType::key: return "key";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "load/scopes.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trellis {
@@ -48,6 +49,10 @@ SlotId Scopes::find(ScopeId scope, std::string_view name) const {
     return slot == found.slots.end() ? SlotId() : slot->second;
 }
 
+SlotId Scopes::own(ScopeId scope, std::string_view name) {
+    return resolve(scope, name).first == scope ? variable(scope, name) : SlotId();
+}
+
 SlotId Scopes::local(ScopeId scope, std::string_view name) {
     Scope& here = scopes_[scope.index];
     const auto [slot, fresh] = here.slots.try_emplace(std::string(name));
@@ -80,6 +85,12 @@ void Scopes::needed(SlotId slot, Where where) {
 }
 
 void Scopes::check_needed() {
+    for (const Scope& scope : scopes_) {
+        if (!scope.all_written) { continue; }
+        for (const auto& [name, slot] : scope.slots) {
+            written(slot);
+        }
+    }
     std::vector<std::string_view> known;
     for (std::size_t i = 0; i < written_.size(); ++i) {
         if (written_[i]) { known.push_back(builder_.program.slots[i].name); }
@@ -87,9 +98,12 @@ void Scopes::check_needed() {
     for (const Need& need : needs_) {
         if (written_[need.slot.index]) { continue; }
         const std::string& name = builder_.program.slots[need.slot.index].name;
+        // one of the same name in another tree is no suggestion
+        std::vector<std::string_view> others = known;
+        others.erase(std::remove(others.begin(), others.end(), name), others.end());
         builder_.diagnostics().error("never-set", need.where,
                                      "nothing gives the variable \"" + name + "\" a value" +
-                                         suggestion(name, known));
+                                         suggestion(name, others));
     }
 }
 

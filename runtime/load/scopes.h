@@ -37,6 +37,8 @@ public:
     /// The variable that `name` means, made if there is none yet: in this scope, or where remaps
     /// lead to; a leading @ means the outermost one.
     SlotId variable(ScopeId scope, std::string_view name);
+    /// The same, but none if that is a variable of another scope.
+    SlotId own(ScopeId scope, std::string_view name);
     /// The variable that `name` means, or none.
     SlotId find(ScopeId scope, std::string_view name) const;
     /// A variable of this very scope, whatever the remaps say.
@@ -50,6 +52,8 @@ public:
 
     /// Something in the file, or the host, may give the variable a value.
     void written(SlotId slot);
+    /// So may every variable of the scope, because a key is itself in a variable.
+    void all_written(ScopeId scope) { scopes_[scope.index].all_written = true; }
     /// The file needs the value: an error, once compiled, if nothing may have written it.
     void needed(SlotId slot, Where where);
     void check_needed();
@@ -59,6 +63,7 @@ private:
         RowId row;
         ScopeId parent;
         bool autoremap = false;
+        bool all_written = false;
         std::unordered_map<std::string, std::string> remaps;
         std::unordered_map<std::string, SlotId> slots;
         std::unordered_set<std::string> subtrees;

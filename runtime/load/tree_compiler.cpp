@@ -13,61 +13,19 @@ namespace trellis {
 
 namespace {
 
-/// What names mean in the scripts of a tree.
-class TreeNames final : public Names {
-public:
-    TreeNames(Builder& builder, Scopes& scopes, ScopeId scope, Builder::Text text)
-        : builder_(builder), scopes_(scopes), scope_(scope), text_(text) {}
-
-    Meaning variable(std::string_view name, Use use) override {
-        if (use != Use::create) {
-            for (const auto& [known, number] : builder_.registry().enumerators()) {
-                if (known == name) {
-                    return {.kind = Meaning::Kind::constant,
-                            .value = Value::integer(number),
-                            .message = {}};
-                }
-            }
-            if (name == "pi" && !scopes_.find(scope_, name)) { return {}; }
-        }
-        if (use == Use::read && name == Builder::unknown_call(text_) &&
-            !scopes_.find(scope_, name)) {
-            builder_.report_unknown_call(text_, name);
-            return {};
-        }
-        const SlotId slot = scopes_.variable(scope_, name);
-        if (use == Use::create) {
-            scopes_.written(slot);
-        } else {
-            scopes_.needed(slot, builder_.place_of(text_, name));
-        }
-        return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
-    }
-    Meaning sensor(std::string_view name) override { return builder_.sensor(name); }
-    Meaning elapsed() override {
-        return {.kind = Meaning::Kind::elapsed_count,
-                .index = scopes_.row(scope_).index,
-                .value = {},
-                .message = {}};
-    }
-    Meaning state(std::string_view) override {
-        return {.kind = Meaning::Kind::error,
-                .value = {},
-                .message = "In() is for machines: a tree has no states"};
-    }
-
-private:
-    Builder& builder_;
-    Scopes& scopes_;
-    ScopeId scope_;
-    Builder::Text text_;
-};
-
 constexpr std::string_view explicit_forms[] = {"Action", "Condition", "Control", "Decorator"};
 
 bool is_explicit(std::string_view element) {
     return std::find(std::begin(explicit_forms), std::end(explicit_forms), element) !=
            std::end(explicit_forms);
+}
+
+/// The type of the entry that a parameter of a SubTree makes (TREES §2.3).
+PortType literal_type(const Value& value) {
+    if (value.is(Value::Kind::text)) { return PortType::text; }
+    if (value.is(Value::Kind::real)) { return PortType::real; }
+    const std::int64_t number = value.as_integer();
+    return number == static_cast<std::int32_t>(number) ? PortType::int32 : PortType::int64;
 }
 
 }  // namespace
@@ -149,64 +107,7 @@ void TreeCompiler::node(const Place& place) {
     if (const auto type = leaves_.find(name); type != leaves_.end()) { leaf(place, *type->second); }
 }
 
-void TreeCompiler::built_in(const Place& place, const OpInfo& op) {
-    const std::uint32_t arg = ports(place, op.op);
-    const RowId n = builder_.open(op.op, place.parent, instance_name(place),
-                                  document(place).at(place.element).where, arg);
-    if (!n) { return; }
-    conditions(place, n);
-    children_of(place, n);
-    builder_.close(n);
-}
-
-// Ports -------------------------------------------------------------------------------------------
-
-// The code of all ports of a built-in node, in the order of builtin_ports.def; returns the first.
-std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
-    struct BuiltInPort {
-        Op op;
-        std::string_view name, type, initial;
-    };
-    static constexpr BuiltInPort all[] = {
-#define PORT(op, name, type, required, initial, doc) {Op::op, name, #type, initial},
-#include "core/builtin_ports.def"
-    };
-    std::vector<CodeId> codes;
-    for (const BuiltInPort& port : all) {
-        if (port.op != op) { continue; }
-        const Attribute* attribute = document(place).find(place.element, port.name);
-        if (attribute != nullptr) {
-            // BehaviorTree.CPP lets a Script be empty, and succeeds
-            const bool empty = op == Op::script && attribute->value.size == 0;
-            codes.push_back(empty ? CodeId() : port_code(place, port.name, port.type, *attribute));
-        } else {
-            codes.push_back(builder_.constant(literal_value(port.initial), Dialect::tree));
-        }
-    }
-    std::vector<CodeId>& table = builder_.program.ports;
-    table.insert(table.end(), codes.begin(), codes.end());
-    return static_cast<std::uint32_t>(table.size() - codes.size());
-}
-
-CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::string_view type,
-                               const Attribute& attribute) {
-    const std::string_view value = document(place).string(attribute.value);
-    if (type == "script") {
-        const Builder::Text script = Builder::text_of(*place.file, attribute);
-        TreeNames names(builder_, scopes_, place.scope, script);
-        return builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
-    }
-    if (is_pointer(value)) {
-        const SlotId slot = scopes_.variable(place.scope, pointer_key(value, name));
-        Slot& entry = builder_.program.slots[slot.index];
-        if (entry.type == EntryType::missing && type == "int32") {
-            entry.type = EntryType::integer;
-        }
-        scopes_.needed(slot, attribute.value_where);
-        return builder_.variable(slot, Dialect::tree);
-    }
-    return builder_.constant(builder_.enumerated(value), Dialect::tree);
-}
+// Leaves ------------------------------------------------------------------------------------------
 
 void TreeCompiler::leaf(const Place& place, const LeafType& type) {
     const std::uint32_t call = builder_.add_call(type);
@@ -234,14 +135,7 @@ void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribu
         return;
     }
     const SlotId slot = scopes_.variable(place.scope, pointer_key(value, port.name));
-    Slot& entry = builder_.program.slots[slot.index];
-    if (entry.type == EntryType::missing) { entry.type = entry_type(port.type); }
-    if (!scopes_.bind_type(slot, port.type)) {
-        builder_.diagnostics().error("type-clash", attribute.value_where,
-                                     "\"" + entry.name + "\" is " +
-                                         std::string(name_of(port.type)) +
-                                         " here, but another port gives it another type");
-    }
+    declare(slot, port.type, attribute.value_where);
     if (port.direction != PortDirection::output) {
         builder_.set_live(port, builder_.variable(slot, Dialect::tree));
         const bool may_be_absent = port.present != Port::always || port.type == PortType::any;
@@ -270,9 +164,7 @@ void TreeCompiler::conditions(const Place& place, RowId n) {
     for (const auto& [name, member] : all) {
         const Attribute* attribute = document(place).find(place.element, name);
         if (attribute == nullptr || attribute->value.size == 0) { continue; }
-        const Builder::Text script = Builder::text_of(*place.file, *attribute);
-        TreeNames names(builder_, scopes_, place.scope, script);
-        found.*member = builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
+        found.*member = script(place, *attribute);
     }
     if (found == Conditions()) { return; }
     builder_.program.rows[n.index].conditional = true;
@@ -337,12 +229,13 @@ void TreeCompiler::parameters(const Place& place, ScopeId inside,
         if (name == "ID" || name == "name" || name.starts_with('_')) { continue; }
         parameter(inside, name, doc.string(attribute.value));
     }
-    if (model != nullptr) {
+    // with _autoremap what is not given is shared, even if it has a default
+    if (model != nullptr && !remaps_all) {
         for (const SubtreePort& port : *model) {
             if (doc.find(place.element, port.name) != nullptr) { continue; }
             if (port.has_initial) {
                 parameter(inside, port.name, port.initial);
-            } else if (!remaps_all) {
+            } else {
                 builder_.diagnostics().error("missing-parameter", doc.at(place.element).where,
                                              "the tree \"" +
                                                  std::string(doc.value(place.element, "ID")) +
@@ -361,6 +254,7 @@ void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_
     }
     const SlotId slot = scopes_.local(inside, name);
     builder_.set_initial(slot, literal_value(value));
+    scopes_.bind_type(slot, literal_type(builder_.program.slots[slot.index].initial));
     scopes_.written(slot);
 }
 

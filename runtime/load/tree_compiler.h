@@ -1,5 +1,6 @@
-// Compiles trees: nodes to rows, attributes to ports, names to variables (TREES §2). Private to
-// runtime/load; the entrance is compile.h. Covered by tests/load/compile_tree_test.cpp.
+// Compiles trees: nodes to rows, attributes to ports, names to variables (TREES §2). The built-in
+// nodes and their ports are in tree_nodes.cpp. Private to runtime/load; the entrance is compile.h.
+// Covered by tests/load/compile_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -45,9 +46,19 @@ private:
     bool is_recursive(std::string_view id, Where where);
     void children_of(const Place& place, RowId n);
 
+    // built-in nodes: tree_nodes.cpp
+    std::uint32_t node_arg(const Place& place, Op op);
     std::uint32_t ports(const Place& place, Op op);
     CodeId port_code(const Place& place, std::string_view name, std::string_view type,
                      const Attribute& attribute);
+    SlotId named_entry(const Place& place, Op op);
+    CodeId queue(const Attribute& attribute, std::string_view text, Op op);
+    void check_threshold(const Place& place, std::string_view port, std::size_t children);
+    void keep_skips(RowId question);
+    /// An entry that a port of that type is bound to has this type from the beginning.
+    void declare(SlotId slot, PortType type, Where where);
+    CodeId script(const Place& place, const Attribute& attribute);
+
     void leaf_port(const Place& place, const Port& port, const Attribute& attribute);
     void conditions(const Place& place, RowId n);
 

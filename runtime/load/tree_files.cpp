@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "load/tree_files.h"
 
+#include "core/program.h"
 #include "load/check.h"
 #include "load/grammar.h"
 
@@ -86,9 +87,21 @@ void TreeFiles::add_tree(const ReadFile& file, ElementId e) {
     }
     if (const TreeSource* other = find(id); other != nullptr && !id.empty()) {
         const Where where = other->file->document.at(other->element).where;
-        diagnostics.error("duplicate-id", file.document.at(e).where,
-                          "there is already a tree \"" + id + "\" in " + other->file->name +
-                              ", line " + std::to_string(where.line));
+        diagnostics.warning("duplicate-id", file.document.at(e).where,
+                            "there is already a tree \"" + id + "\" in " + other->file->name +
+                                ", line " + std::to_string(where.line) + "; this one runs");
+        TreeSource& replaced = *std::find_if(trees_.begin(), trees_.end(),
+                                             [&](const TreeSource& tree) { return tree.id == id; });
+        replaced.file = &file;
+        replaced.element = e;
+        return;
+    }
+    // a tree may be called like a leaf of the host: a SubTree names trees only
+    const OpTable ops = op_table();
+    if (!id.empty() &&
+        std::any_of(ops.begin(), ops.end(), [&](const OpInfo& op) { return op.element == id; })) {
+        diagnostics.error("duplicate-id", file.document.find(e, "ID")->value_where,
+                          "there is already a node \"" + id + "\"");
         return;
     }
     const TreeSource& tree = trees_.emplace_back(TreeSource{&file, e, std::move(id)});

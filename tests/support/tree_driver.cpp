@@ -137,9 +137,6 @@ Drive drive_tree(const std::string& path, const DriveOptions& options) {
     if (!program) {
         drive.output = "LOAD_ERROR\n";
         drive.messages = diagnostics.render();
-        for (const Diagnostic& d : diagnostics.all()) {
-            drive.unknown_node |= d.id == "not-run" || d.id == "unknown-node";
-        }
         return drive;
     }
     Diagnostics again;
@@ -157,7 +154,7 @@ Drive drive_tree(const std::string& path, const DriveOptions& options) {
         run.host.events.clear();
         if (failed) {
             drive.messages = describe_fault(*program, run.state);
-            return drive;
+            break;
         }
         if (options.halts.contains(tick)) {
             run.halt(step);

@@ -24,9 +24,8 @@ struct DriveOptions {
 DriveOptions drive_options(const std::vector<std::string>& words);
 
 struct Drive {
-    std::string output;         ///< the recorded format; "LOAD_ERROR\n" if the file has faults
-    std::string messages;       ///< why: rendered diagnostics or the fault of the run
-    bool unknown_node = false;  ///< a fault is a node that this version does not run
+    std::string output;    ///< the recorded format; "LOAD_ERROR\n" if the file has faults
+    std::string messages;  ///< why: rendered diagnostics or the fault of the run
 };
 
 /// Runs the tree file at `path`; includes are read from the disk.
