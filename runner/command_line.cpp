@@ -40,12 +40,17 @@ Execute prepare(CLI::App& app) {
     return [arguments](Streams& streams) { return execute(*arguments, streams); };
 }
 
-/// trellis trace diff: the one command that has commands of its own.
+/// trellis trace: the one command that has commands of its own.
 Execute prepare_trace(CLI::App& app) {
     app.require_subcommand(1);
     CLI::App* diff = app.add_subcommand("diff", "say where two traces first differ");
+    CLI::App* convert = app.add_subcommand("convert", "write a trace for Perfetto or Groot2");
     diff->fallthrough();
-    return prepare<TraceDiffArguments>(*diff);
+    convert->fallthrough();
+    return [diff, on_diff = prepare<TraceDiffArguments>(*diff),
+            on_convert = prepare<TraceConvertArguments>(*convert)](Streams& streams) {
+        return diff->parsed() ? on_diff(streams) : on_convert(streams);
+    };
 }
 
 constexpr std::array commands{
@@ -81,9 +86,11 @@ constexpr std::array commands{
             "  trellis schema tree-xsd > trellis_tree.xsd\n"
             "  trellis schema machine-json > trellis_machine.schema.json\n",
             prepare<SchemaArguments>},
-    Command{"trace", "compare recorded runs",
+    Command{"trace", "compare recorded runs, and convert them",
             "  trellis trace diff before.csv after.csv\n"
-            "  trellis trace diff before.csv after.csv --tolerance 0.001\n",
+            "  trellis trace diff before.csv after.csv --tolerance 0.001\n"
+            "  trellis trace convert run.jsonl run.json     (Perfetto opens it)\n"
+            "  trellis trace convert run.jsonl run.btlog    (Groot2 opens it)\n",
             prepare_trace},
 };
 

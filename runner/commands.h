@@ -29,6 +29,7 @@ struct RunArguments {
     std::vector<std::string> traces;  ///< by extension: .csv (and "-") or .jsonl
     std::string svg;                  ///< empty: none
     bool log = false;
+    bool stats = false;
     bool no_world = false;  ///< --world none: no robot; prints "final: ID"
     Format format = Format::text;
 };
@@ -76,8 +77,11 @@ struct ShowArguments {
     bool text = false;     ///< on standard output, as if neither is given
     bool ascii = false;
     bool sideways = false;
-    bool program = false;  ///< the compiled program instead of a picture
-    std::string main_tree;
+    bool program = false;               ///< the compiled program instead of a picture
+    std::string trace;                  ///< a recorded run, whose statuses are shown; empty: none
+    std::optional<std::uint64_t> tick;  ///< of the trace; none: its last
+    bool coverage = false;              ///< what the run never reached, instead of statuses
+    LoadArguments load;
 };
 void add_options(CLI::App& app, ShowArguments& arguments);
 Exit execute(const ShowArguments& arguments, Streams& streams);
@@ -106,5 +110,18 @@ struct TraceDiffArguments {
 void add_options(CLI::App& app, TraceDiffArguments& arguments);
 /// Yes if they are the same; file if one cannot be read as a trace.
 Exit execute(const TraceDiffArguments& arguments, Streams& streams);
+
+/// trellis trace convert: a recorded run in the formats of other viewers.
+struct TraceConvertArguments {
+    enum class To : std::uint8_t { chrome, btlog };
+    std::string in, out;
+    std::optional<To> to;   ///< none: by the name of `out`
+    std::string behaviour;  ///< empty: the file that the trace names
+    double start = 0.0;     ///< s, since 1970
+    LoadArguments load;
+};
+void add_options(CLI::App& app, TraceConvertArguments& arguments);
+/// Yes if `out` was written; file if `in` cannot be read as a trace of events.
+Exit execute(const TraceConvertArguments& arguments, Streams& streams);
 
 }  // namespace trellis

@@ -3,6 +3,7 @@
 #include "runner/explanation.h"
 
 #include "core/number.h"
+#include "runner/places.h"
 
 #include <optional>
 #include <string_view>
@@ -36,30 +37,6 @@ std::string seconds(const Contestant& contestant, std::uint64_t n) {
 
 std::string name(const Contestant& contestant, RowId row) {
     return row ? std::string(contestant.entrant().program.name(row)) : "nothing";
-}
-
-/// The element that a row came from; none if it is from an included file.
-ElementId element_of(const Entrant& entrant, RowId row) {
-    const Origin& origin = entrant.program.origins[row.index];
-    const Document& document = entrant.document;
-    if (origin.file != 0) { return {}; }
-    for (ElementId e = document.root(); e.index < document.elements.size(); ++e.index) {
-        const Where& where = document.at(e).where;
-        if (where.line == origin.line && where.column == origin.column) { return e; }
-    }
-    return {};
-}
-
-/// The element of a transition; none if its state's is not known.
-ElementId element_of(const Entrant& entrant, TransitionId transition) {
-    const RowId source = entrant.program.transitions[transition.index].source;
-    const ElementId state = element_of(entrant, source);
-    if (!state) { return {}; }
-    std::uint32_t before = transition.index - entrant.program.state(source).first_transition;
-    for (const ElementId child : entrant.document.children(state)) {
-        if (entrant.document.name(child) == "transition" && before-- == 0) { return child; }
-    }
-    return {};
 }
 
 std::string targets(const Entrant& entrant, TransitionId id) {
@@ -157,7 +134,7 @@ std::string same_label(const Contestant& a, const Contestant& b) {
 }  // namespace
 
 std::string describe_transition(const Entrant& entrant, TransitionId transition) {
-    const ElementId e = element_of(entrant, transition);
+    const ElementId e = Places(entrant.program, entrant.document).of(transition);
     if (!e) { return "number " + std::to_string(transition.index); }
     const Document& document = entrant.document;
     std::string_view words = document.value(e, "cond");

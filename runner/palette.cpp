@@ -168,10 +168,7 @@ std::string palette_json(const Registry& registry) {
     return std::move(json.end_array().end_object()).finish();
 }
 
-std::string palette_xml(const Registry& registry) {
-    Document document;
-    const ElementId root = document.open({}, "root", {});
-    document.add_attribute(root, "BTCPP_format", "4", {}, {});
+void add_models(Document& document, ElementId root, const Registry& registry) {
     const ElementId model = document.open(root, "TreeNodesModel", {});
     for (const PaletteNode& node : palette(registry)) {
         if (node.built_in) { continue; }
@@ -184,6 +181,13 @@ std::string palette_xml(const Registry& registry) {
         document.close(e);
     }
     document.close(model);
+}
+
+std::string palette_xml(const Registry& registry) {
+    Document document;
+    const ElementId root = document.open({}, "root", {});
+    document.add_attribute(root, "BTCPP_format", "4", {}, {});
+    add_models(document, root, registry);
     document.close(root);
     return write_xml(document);
 }

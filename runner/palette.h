@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/leaf.h"
+#include "load/document.h"
 
 #include <cstdint>
 #include <string>
@@ -40,5 +41,7 @@ std::string palette_json(const Registry& registry);
 /// For Groot2 and other editors: a tree file that has only a <TreeNodesModel> of the leaves, as
 /// BehaviorTree.CPP writes it. Built-in nodes are not in it: editors know them.
 std::string palette_xml(const Registry& registry);
+/// Adds that <TreeNodesModel> to a tree file that is being written.
+void add_models(Document& document, ElementId root, const Registry& registry);
 
 }  // namespace trellis

@@ -31,47 +31,62 @@ struct TraceFile {
 /// One run: drives the episode and hands what happens to whoever asked for it.
 class Run : TraceSink {
 public:
-    Run(const RunArguments& arguments, const Program& program, Streams& streams)
-        : arguments_(arguments), program_(program), streams_(streams), labels_(program),
-          tally_(labels_) {}
+    Run(const RunArguments& arguments, const Behaviour& behaviour, Streams& streams)
+        : arguments_(arguments), behaviour_(behaviour), program_(*behaviour.program),
+          streams_(streams), labels_(program_), tally_(labels_) {
+        if (arguments.stats) { profile_.emplace(program_); }
+    }
 
-    /// Opens the traces; false after a message.
-    bool open();
+    /// Opens the traces; false after a message. `random` says where random numbers come from.
+    bool open(const std::string& random);
     /// Runs to the end; false if a trace cannot be written any more.
     bool drive(Episode& episode);
     /// Gives the traces their names and writes the picture; false after a message.
     bool write_files(const Episode& episode, const std::string& random);
-    std::string report(const Episode& episode, std::string random) const;
+    std::string report(const Episode& episode, std::string random);
 
 private:
     void on(const TraceEvent& event) override;
     void add_row(const Episode& episode);
     void add_point(const Roomba& before, const State& after);
     std::string picture(const Episode& episode, const std::string& random) const;
+    std::string text_of(const RunReport& report) const {
+        return arguments_.format == Format::json ? report_json(report) : report_text(report);
+    }
 
     const RunArguments& arguments_;
+    const Behaviour& behaviour_;
     const Program& program_;
     Streams& streams_;
     Labels labels_;
     Tally tally_;
+    std::optional<Profile> profile_;
     std::vector<TraceFile> traces_;
     Trail trail_;
     std::vector<std::string> log_;
     bool written_ = true;
 };
 
-bool Run::open() {
+bool Run::open(const std::string& random) {
+    std::string run_line;
+    append_run_line(run_line, program_,
+                    {.file = arguments_.file,
+                     .tree = arguments_.load.main_tree,
+                     .dt = arguments_.episode.dt,
+                     .random = random});
     for (const std::string& path : arguments_.traces) {
         std::unique_ptr<OutputFile> file = open_output(path, streams_);
         if (!file) { return false; }
         traces_.push_back({path, path.ends_with(".jsonl"), std::move(file)});
-        if (!traces_.back().events) { traces_.back().file->write(trace_csv_header); }
+        const TraceFile& trace = traces_.back();
+        trace.file->write(trace.events ? std::string_view(run_line) : trace_csv_header);
     }
     return true;
 }
 
 void Run::on(const TraceEvent& event) {
     tally_.on(event);
+    if (profile_) { profile_->on(event); }
     if (event.kind == TraceEvent::Kind::log && arguments_.log) {
         if (arguments_.format == Format::json) {
             log_.emplace_back(event.text);
@@ -127,16 +142,26 @@ std::string Run::picture(const Episode& episode, const std::string& random) cons
 }
 
 bool Run::write_files(const Episode& episode, const std::string& random) {
+    std::string end_line;
+    append_end_line(end_line, episode.state().tick, ending(episode));
     for (const TraceFile& trace : traces_) {
+        if (trace.events) { trace.file->write(end_line); }
         if (!commit(*trace.file, trace.path, streams_)) { return false; }
     }
     return arguments_.svg.empty() || write_text(arguments_.svg, picture(episode, random), streams_);
 }
 
-std::string Run::report(const Episode& episode, std::string random) const {
+std::string Run::report(const Episode& episode, std::string random) {
     const std::string file = shown_name(arguments_.file);
-    const RunReport report{file, std::move(random), episode, labels_, tally_, log_};
-    return arguments_.format == Format::json ? report_json(report) : report_text(report);
+    RunReport report{file, std::move(random), episode, labels_, tally_, log_};
+    if (!profile_) { return text_of(report); }
+    const std::uint64_t ticks = episode.state().tick;
+    profile_->finish(ticks);
+    Diagnostics diagnostics;
+    const std::optional<Document> document = read(behaviour_.source, diagnostics);
+    const ProfileReport stats{program_, *document, *profile_, ticks, arguments_.episode.dt};
+    report.profile = &stats;
+    return text_of(report);
 }
 
 /// The error of a run that cannot go on.
@@ -193,13 +218,14 @@ Exit run_without_world(const RunArguments& arguments, const Program& program, Ra
     return final ? Exit::yes : Exit::no;
 }
 
-Exit run_in_world(const RunArguments& arguments, const Program& program, Random random,
+Exit run_in_world(const RunArguments& arguments, const Behaviour& behaviour, Random random,
                   const std::string& random_words, Streams& streams) {
+    const Program& program = *behaviour.program;
     EpisodeSetup setup = setup_of(arguments.episode);
     setup.random = std::move(random);
     Episode episode(program, std::move(setup));
-    Run run(arguments, program, streams);
-    if (!run.open()) { return Exit::file; }
+    Run run(arguments, behaviour, streams);
+    if (!run.open(random_words)) { return Exit::file; }
     run.drive(episode);
     if (episode.state().fault) { show_fault(program, episode.state(), streams); }
     if (!run.write_files(episode, random_words)) { return Exit::file; }
@@ -235,6 +261,8 @@ void add_options(CLI::App& app, RunArguments& arguments) {
         ->check(trace_name);
     app.add_option("--svg", arguments.svg, "draw the robot's way into a file")->type_name("FILE");
     app.add_flag("--log", arguments.log, "print what <log> says, as \"label: value\"");
+    app.add_flag("--stats", arguments.stats,
+                 "report every node, state and transition, and which were never reached");
     add_choice<bool>(app, "--world", arguments.no_world, {{"lab", false}, {"none", true}},
                      "the lab's room, or no robot at all: then only \"final: ID\" is printed");
     add_format(app, arguments.format);
@@ -256,10 +284,9 @@ Exit execute(const RunArguments& arguments, Streams& streams) {
         words = "draws " + shown_name(episode.draws);
     }
     if (!random) { return exit; }
-    const Program& program = *behaviour->program;
     return arguments.no_world
-               ? run_without_world(arguments, program, std::move(*random), streams)
-               : run_in_world(arguments, program, std::move(*random), words, streams);
+               ? run_without_world(arguments, *behaviour->program, std::move(*random), streams)
+               : run_in_world(arguments, *behaviour, std::move(*random), words, streams);
 }
 
 }  // namespace trellis

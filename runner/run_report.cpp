@@ -87,7 +87,11 @@ std::string report_text(const RunReport& report) {
                                 ", failed " + counted(report.tally.failures, "time", "times"));
     }
     out += fact("ended", ending(episode));
-    if (!report.labels.names().empty()) { out += '\n' + table(report); }
+    if (report.profile != nullptr) {
+        out += '\n' + profile_text(*report.profile);
+    } else if (!report.labels.names().empty()) {
+        out += '\n' + table(report);
+    }
     return out;
 }
 
@@ -114,6 +118,7 @@ std::string report_json(const RunReport& report) {
         json.number("time", seconds(report, i)).number("share", share(report, i)).end_object();
     }
     json.end_array();
+    if (report.profile != nullptr) { add_profile(json, *report.profile); }
     if (!report.log.empty()) {
         json.begin_array("log");
         for (const std::string& line : report.log) {

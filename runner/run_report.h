@@ -3,6 +3,7 @@
 #pragma once
 
 #include "runner/labels.h"
+#include "runner/profile_report.h"
 #include "runner/tally.h"
 #include "sim/bridge/episode.h"
 
@@ -19,7 +20,8 @@ struct RunReport {
     const Episode& episode;
     const Labels& labels;
     const Tally& tally;
-    std::vector<std::string> log = {};  ///< lines of <log>, for json only
+    std::vector<std::string> log = {};       ///< lines of <log>, for json only
+    const ProfileReport* profile = nullptr;  ///< --stats; null: not asked for
 };
 
 /// How the run ended: "time is up", "final: ID" or "fault".

@@ -16,6 +16,7 @@ struct TraceEvent {
         status,      ///< the stored status of `row` went from `from` to `to`
         tick,        ///< a leaf was ticked and returned `to` (which may be skipped)
         halt,        ///< a leaf was halted while running
+        skip,        ///< a node returned skipped, which is never stored: its status stays
         enter,       ///< a state became active
         leave,       ///< a state stopped being active
         transition,  ///< `transition` of state `row` was taken

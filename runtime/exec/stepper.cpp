@@ -116,8 +116,7 @@ Status Stepper::tick(RowId n) {
     }
     if (row.conditional) { return tick_conditional(n, row); }
     const Status status = dispatch(n, row);
-    // a skipped node keeps what its rule has stored (TREES §1)
-    if (status != Status::skipped && status != Status::idle) { store(n, status); }
+    keep(n, status);
     return status;
 }
 
@@ -129,7 +128,7 @@ Status Stepper::tick_conditional(RowId n, const Row& row) {
     if (s_.fault) { return Status::idle; }
     if (status == Status::idle) { status = dispatch(n, row); }
     if (is_done(status) && !post_conditions(n, conditions, status)) { return Status::idle; }
-    if (status != Status::skipped && status != Status::idle) { store(n, status); }
+    keep(n, status);
     return status;
 }
 

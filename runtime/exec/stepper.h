@@ -88,6 +88,14 @@ private:
         if (trace_ != nullptr) { trace_status(n, status); }
         status_[n.index] = status;
     }
+    /// Stores what a tick returned. A skipped node keeps what its rule has stored (TREES §1).
+    void keep(RowId n, Status status) {
+        if (status == Status::skipped) {
+            trace({.kind = TraceEvent::Kind::skip, .row = n});
+        } else if (status != Status::idle) {
+            store(n, status);
+        }
+    }
     /// Halts a child if it runs, and makes it idle: resetChild of BehaviorTree.CPP.
     void reset(RowId n) {
         if (status_[n.index] == Status::running) { halt_node(n); }
@@ -172,7 +180,7 @@ private:
         if (row.op != Op::action || row.conditional) { return tick(n); }
         const LeafCall& leaf = p_.calls[row.arg];
         const Status status = call(n, leaf, s_.leaves.data() + leaf.offset);
-        if (is_done(status)) { store(n, status); }
+        if (status != Status::running) { keep(n, status); }
         return status;
     }
     Status tick_at_once(RowId n, const Row& row);

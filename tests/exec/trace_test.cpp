@@ -67,6 +67,25 @@ TEST_CASE("trace: a tree tells every change of a stored status and every leaf") 
                         "2 status T SUCCESS IDLE\n");
 }
 
+TEST_CASE("trace: a skipped node is told though its status stays") {
+    const Program program =
+        loaded("<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence><Leaf name='l' script='RK' "
+               "_post='1'/><Script name='s' code='' _skipIf='true'/></Sequence></BehaviorTree>"
+               "</root>");
+    Lines lines(program);
+    ScriptRun run(program);
+    run.step({.dt = 1.0, .trace = &lines});
+    lines.text.clear();
+    run.step({.dt = 1.0, .trace = &lines});
+    CHECK(lines.text == "2 tick l SKIPPED\n"
+                        "2 skip l\n"
+                        "2 skip s\n"
+                        "2 halt l\n"
+                        "2 status l RUNNING IDLE\n"
+                        "2 skip Sequence\n"
+                        "2 skip T\n");
+}
+
 TEST_CASE("trace: a machine tells states, transitions, events, logs and errors") {
     const Program program =
         loaded("<scxml xmlns='http://www.w3.org/2005/07/scxml' version='1.0' name='m' "

@@ -27,6 +27,13 @@ TEST_CASE("event lines: members by kind, and kinds without a line") {
     CHECK(line({.tick = 3, .kind = Kind::halt, .row = {3}}) ==
           R"({"tick": 3, "event": "halt", "row": 3, "name": "SetVelocity"}
 )");
+    CHECK(line({.tick = 3, .kind = Kind::skip, .row = {3}}) ==
+          R"({"tick": 3, "event": "skip", "row": 3, "name": "SetVelocity"}
+)");
+    CHECK(line({.tick = 3, .kind = Kind::status, .row = {3}, .to = Status::running}) ==
+          R"({"tick": 3, "event": "status", "row": 3, "name": "SetVelocity", "from": "IDLE", )"
+          R"("to": "RUNNING"}
+)");
     CHECK(line({.tick = 3, .kind = Kind::leave, .row = {1}}) ==
           R"({"tick": 3, "event": "leave", "row": 1, "name": "go"}
 )");

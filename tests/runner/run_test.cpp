@@ -83,9 +83,14 @@ TEST_CASE("run: a trace of ticks and a trace of events, and log lines before the
                                     "done\n");
     const std::string& events = files.content["e.jsonl"];
     CHECK(events.starts_with(
-        R"({"tick": 0, "event": "enter", "row": 1, "name": "go"}
+        R"({"tick": 0, "event": "run", "row": 0, "name": "machine", "file": "a.scxml", "rows": 5, )"
+        R"("dt": 0.016666666666666666, "random": "seed 0"}
+{"tick": 0, "event": "enter", "row": 1, "name": "go"}
 {"tick": 0, "event": "log", "row": 1, "name": "go", "text": "now: going"}
+{"tick": 0, "event": "status", "row": 2, "name": "go.1", "from": "IDLE", "to": "RUNNING"}
 {"tick": 1, "event": "tick", "row": 3, "name": "SetVelocity", "status": "RUNNING"}
+)"));
+    CHECK(events.ends_with(R"({"tick": 4, "event": "end", "text": "final: done"}
 )"));
     CHECK(events.find(R"({"tick": 4, "event": "transition", "row": 1, "name": "go", "index": 1, )"
                       R"("to": ["done"]}

@@ -33,6 +33,7 @@ TEST_CASE("start events: the states that a machine enters, and what their conten
     CHECK(lines.text ==
           R"({"tick": 0, "event": "enter", "row": 1, "name": "go"}
 {"tick": 0, "event": "log", "row": 1, "name": "go", "text": "now: going"}
+{"tick": 0, "event": "status", "row": 2, "name": "go.1", "from": "IDLE", "to": "RUNNING"}
 )");
 }
 
