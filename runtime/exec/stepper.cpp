@@ -46,6 +46,8 @@ Status Stepper::finish_step(Status status) {
     if (s_.random.exhausted()) {
         return fault(Fault::Kind::draws, s_.last_leaf, "there are no random numbers left");
     }
+    // a script that fails while something is halted does not stop the tick at once
+    if (s_.fault) { return Status::idle; }
     if (status != Status::idle) { ++s_.tick; }
     return status;
 }

@@ -154,7 +154,8 @@ private:
     Status tick_run_once(RowId n, const Row& row);
     Status tick_precondition(RowId n, const Row& row);
     Status tick_queue(RowId n, const Row& row, EntryType elements);
-    bool next_element(RowId n, const Row& row, EntryType elements, Value& element);
+    bool next_element(RowId n, const Row& row, EntryType elements, Value& taken,
+                      const Value*& element);
     bool write_element(RowId n, SlotId slot, EntryType elements, const Value& element);
     bool split_queue(RowId n, std::string_view text, EntryType elements, Value& queue);
     Status tick_updated(RowId n, const Row& row, Status otherwise);

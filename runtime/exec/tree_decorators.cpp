@@ -127,10 +127,13 @@ Status Stepper::tick_queue(RowId n, const Row& row, EntryType elements) {
         s_.queues[node.queue.index].set_undefined();
     }
     if ((memory & child_runs) == 0) {
-        Value element;
-        if (!next_element(n, row, elements, element)) { return Status::idle; }
-        if (element.is(Value::Kind::undefined)) { return status_port(n, port(node, 1)); }
-        if (node.entry && !write_element(n, node.entry, elements, element)) { return Status::idle; }
+        Value taken;
+        const Value* element = nullptr;
+        if (!next_element(n, row, elements, taken, element)) { return Status::idle; }
+        if (element == nullptr) { return status_port(n, port(node, 1)); }
+        if (node.entry && !write_element(n, node.entry, elements, *element)) {
+            return Status::idle;
+        }
     }
     if (status_[n.index] == Status::idle) { store(n, Status::running); }
     const RowId child = first_child(n);
@@ -141,16 +144,18 @@ Status Stepper::tick_queue(RowId n, const Row& row, EntryType elements) {
     return status == Status::failure ? status : Status::running;
 }
 
-// Takes the next element; undefined if there is none, false after a fault. An array in a variable
+// Takes the next element; null if there is none, false after a fault. An array in a variable
 // is used up; a text is read when the loop begins.
-bool Stepper::next_element(RowId n, const Row& row, EntryType elements, Value& element) {
+bool Stepper::next_element(RowId n, const Row& row, EntryType elements, Value& taken,
+                           const Value*& element) {
     const NodeInfo& node = p_.nodes[row.arg];
     const CodeId code = port(node, 0);
     const Value* queue = port_value(code);
     if (!is_literal(code)) {
         const Operand from = p_.code.instructions[code.index].a;
         if (queue != nullptr && queue->is(Value::Kind::array)) {
-            element = s_.slots[from.index()].take_first();
+            taken = s_.slots[from.index()].take_first();
+            if (!taken.is(Value::Kind::undefined)) { element = &taken; }
             return true;
         }
         Value& read = s_.queues[node.queue.index];
@@ -165,8 +170,8 @@ bool Stepper::next_element(RowId n, const Row& row, EntryType elements, Value& e
         }
         queue = &read;
     }
-    std::uint32_t& taken = memory_[n.index];
-    if (taken < queue->elements().size()) { element = queue->element(taken++); }
+    std::uint32_t& count = memory_[n.index];
+    if (count < queue->elements().size()) { element = &queue->element(count++); }
     return true;
 }
 

@@ -2,20 +2,70 @@
 // SPDX-License-Identifier: MIT
 #include "support/random_tree.h"
 
+#include "core/status.h"
+
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace trellis::test {
 
 namespace {
 
-constexpr std::array controls = {"Sequence", "Fallback", "ReactiveSequence", "ReactiveFallback"};
-constexpr std::array decorators = {"Inverter", "ForceSuccess", "ForceFailure", "Repeat",
-                                   "RetryUntilSuccessful"};
+/// A kind of node: how many children it takes, and its numbers.
+struct Kind {
+    const char* node;
+    int least, most;  ///< children
+    int number = 0;
+    int second = 0;
+};
+constexpr int many = 1000;
+constexpr std::array controls = {
+    Kind{"Sequence", 1, many},
+    Kind{"Fallback", 1, many},
+    Kind{"ReactiveSequence", 1, many},
+    Kind{"ReactiveFallback", 1, many},
+    Kind{"AsyncSequence", 1, many},
+    Kind{"AsyncFallback", 1, many},
+    Kind{"SequenceWithMemory", 1, many},
+    Kind{"Parallel", 1, many, -1, 1},
+    Kind{"Parallel", 2, many, 1, -1},
+    Kind{"ParallelAll", 1, many, 1},
+    Kind{"IfThenElse", 2, 3},
+    Kind{"WhileDoElse", 2, 3},
+    Kind{"Switch2", 3, 3, 2},
+    Kind{"TryCatch", 2, many},
+    Kind{"TryCatch", 2, many, 1},
+};
+constexpr std::array decorators = {
+    Kind{"Inverter", 1, 1},
+    Kind{"ForceSuccess", 1, 1},
+    Kind{"ForceFailure", 1, 1},
+    Kind{"Repeat", 1, 1, 2},
+    Kind{"RetryUntilSuccessful", 1, 1, 2},
+    Kind{"KeepRunningUntilFailure", 1, 1},
+    Kind{"Delay", 1, 1, 1},
+    Kind{"Timeout", 1, 1, 2},
+    Kind{"RunOnce", 1, 1},
+    Kind{"RunOnce", 1, 1, 1},
+    Kind{"Precondition", 1, 1, static_cast<int>(Status::failure)},
+    Kind{"LoopInt", 1, 1, 2},
+};
+/// Of no use in a tree without a Script.
+constexpr std::array watchers = {Kind{"SkipUnlessUpdated", 1, 1}, Kind{"WaitValueUpdate", 1, 1}};
 
 template <class List>
-const char* any_of(const List& list, Random& random) {
+const Kind& any_kind(const List& list, Random& random) {
     return list[static_cast<std::size_t>(
         random.whole(0, static_cast<std::int64_t>(list.size()) - 1))];
+}
+
+TreeSpec made(const Kind& kind) {
+    TreeSpec tree;
+    tree.node = kind.node;
+    tree.number = kind.number;
+    tree.second = kind.second;
+    return tree;
 }
 
 bool one_in(Random& random, int n) {
@@ -24,6 +74,10 @@ bool one_in(Random& random, int n) {
 
 TreeSpec random_leaf(Random& random) {
     TreeSpec leaf;
+    if (one_in(random, 8)) {
+        leaf.node = "Script";
+        return leaf;
+    }
     const bool synchronous = one_in(random, 4);
     leaf.node = synchronous ? "SyncLeaf" : "Leaf";
     const std::string_view letters = synchronous ? "SFK" : "SSFFRRRK";
@@ -34,24 +88,45 @@ TreeSpec random_leaf(Random& random) {
     return leaf;
 }
 
-std::vector<std::vector<TreeSpec>> all_forests(int nodes) {
-    std::vector<std::vector<TreeSpec>> out;
-    if (nodes == 0) { return {{}}; }
+using Visit = std::function<void(TreeSpec&)>;
+
+void visit_shapes(int nodes, const Visit& visit);
+
+/// Visits `parent` with every list of children that has `nodes` nodes added to its own.
+void visit_forests(TreeSpec& parent, int nodes, const Visit& visit) {
+    if (nodes == 0) { return visit(parent); }
     for (int first = 1; first <= nodes; ++first) {
-        const std::vector<std::vector<TreeSpec>> rests = all_forests(nodes - first);
-        for (const TreeSpec& tree : all_shapes(first)) {
-            for (const std::vector<TreeSpec>& rest : rests) {
-                std::vector<TreeSpec>& forest = out.emplace_back();
-                forest.push_back(tree);
-                forest.insert(forest.end(), rest.begin(), rest.end());
-            }
-        }
+        visit_shapes(first, [&](TreeSpec& child) {
+            parent.children.push_back(child);
+            visit_forests(parent, nodes - first, visit);
+            parent.children.pop_back();
+        });
     }
-    return out;
+}
+
+template <class Kinds>
+void visit_kinds(const Kinds& kinds, int nodes, const Visit& visit) {
+    for (const Kind& kind : kinds) {
+        TreeSpec tree = made(kind);
+        visit_forests(tree, nodes - 1, [&](TreeSpec& whole) {
+            const int count = static_cast<int>(whole.children.size());
+            if (count >= kind.least && count <= kind.most) { visit(whole); }
+        });
+    }
+}
+
+void visit_shapes(int nodes, const Visit& visit) {
+    if (nodes == 1) {
+        TreeSpec leaf;
+        leaf.node = "Leaf";
+        return visit(leaf);
+    }
+    visit_kinds(controls, nodes, visit);
+    visit_kinds(decorators, nodes, visit);
 }
 
 void collect_leaves(TreeSpec& tree, std::vector<TreeSpec*>& out) {
-    if (tree.children.empty()) { out.push_back(&tree); }
+    if (tree.node == "Leaf" || tree.node == "SyncLeaf") { out.push_back(&tree); }
     for (TreeSpec& child : tree.children) {
         collect_leaves(child, out);
     }
@@ -64,17 +139,31 @@ TreeSpec random_tree(Random& random, int nodes, bool conditions) {
     if (nodes <= 1) {
         tree = random_leaf(random);
     } else if (one_in(random, 3)) {
-        tree.node = any_of(decorators, random);
+        tree = made(one_in(random, 6) ? any_kind(watchers, random) : any_kind(decorators, random));
         if (tree.node.starts_with("Re")) {
             tree.number = static_cast<int>(random.whole(one_in(random, 8) ? -1 : 0, 3));
         }
+        if (tree.node == "Delay" || tree.node == "Timeout" || tree.node == "LoopInt") {
+            tree.number = static_cast<int>(random.whole(0, 3));
+        }
+        if (tree.node == "Precondition") { tree.number = static_cast<int>(random.whole(1, 4)); }
         tree.children.push_back(random_tree(random, nodes - 1, conditions));
     } else {
-        tree.node = any_of(controls, random);
-        for (int left = nodes - 1; left > 0;) {
-            const int size = static_cast<int>(random.whole(1, left));
-            tree.children.push_back(random_tree(random, size, conditions));
+        const Kind& kind = any_kind(controls, random);
+        tree = made(kind);
+        for (int left = nodes - 1, made_so_far = 0; made_so_far < kind.most; ++made_so_far) {
+            if (left <= 0 && made_so_far >= kind.least) { break; }
+            const bool last = made_so_far + 1 == kind.most;
+            const int size = last ? left : static_cast<int>(random.whole(1, std::max(left, 1)));
+            tree.children.push_back(random_tree(random, std::max(size, 1), conditions));
             left -= size;
+        }
+        if (tree.node == "Switch2") { tree.number = static_cast<int>(random.whole(1, 3)); }
+        if (tree.node.starts_with("Parallel")) {
+            const auto most = static_cast<std::int64_t>(tree.children.size());
+            tree.number = static_cast<int>(random.whole(-2, most));
+            tree.second = static_cast<int>(random.whole(-2, most));
+            if (tree.node == "ParallelAll") { tree.second = 0; }
         }
     }
     if (conditions && one_in(random, 5)) {
@@ -83,29 +172,8 @@ TreeSpec random_tree(Random& random, int nodes, bool conditions) {
     return tree;
 }
 
-std::vector<TreeSpec> all_shapes(int nodes) {
-    std::vector<TreeSpec> out;
-    if (nodes == 1) {
-        TreeSpec leaf;
-        leaf.node = "Leaf";
-        out.push_back(leaf);
-        return out;
-    }
-    for (const std::vector<TreeSpec>& forest : all_forests(nodes - 1)) {
-        for (const char* node : controls) {
-            TreeSpec& tree = out.emplace_back();
-            tree.node = node;
-            tree.children = forest;
-        }
-        if (forest.size() != 1) { continue; }
-        for (const char* node : decorators) {
-            TreeSpec& tree = out.emplace_back();
-            tree.node = node;
-            tree.number = tree.node.starts_with("Re") ? 2 : 0;
-            tree.children = forest;
-        }
-    }
-    return out;
+void for_each_shape(int nodes, const std::function<void(TreeSpec&)>& visit) {
+    visit_shapes(nodes, visit);
 }
 
 std::vector<TreeSpec*> leaves_of(TreeSpec& tree) {

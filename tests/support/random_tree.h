@@ -7,6 +7,7 @@
 #include "support/tree_table.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,10 @@ namespace trellis::test {
 /// A tree of `nodes` nodes, more or less; some nodes have pre-conditions if `conditions`.
 TreeSpec random_tree(Random& random, int nodes, bool conditions = true);
 
-/// Every tree of exactly `nodes` nodes whose leaves all have the empty script: controls of any
-/// number of children, decorators, Repeat and RetryUntilSuccessful with the number 2.
-std::vector<TreeSpec> all_shapes(int nodes);
+/// Visits every tree of exactly `nodes` nodes whose leaves all have the empty script, with every
+/// control and decorator that needs no entry, each with one or two settings of its numbers. The
+/// visitor may change scripts.
+void for_each_shape(int nodes, const std::function<void(TreeSpec&)>& visit);
 
 /// The leaves of `tree`, in order.
 std::vector<TreeSpec*> leaves_of(TreeSpec& tree);

@@ -20,6 +20,9 @@ struct ReferenceWorld {
     std::string events;   ///< as ScriptHost::events
     bool bumper = false;  ///< what pre-conditions see
     bool woken = false;   ///< a node has asked to be ticked again
+    bool fault = false;   ///< a node could not go on
+    int tick = 0;         ///< ticks completed, 1 s each
+    int writes = 0;       ///< of the entry that is watched
 };
 
 /// A node: what it stores, its children and its rules.
@@ -54,7 +57,7 @@ public:
     /// `spec` must outlive it.
     explicit ReferenceTree(const TreeSpec& spec);
 
-    /// BehaviorTree.CPP's tickExactlyOnce; with `while_woken`, its tickOnce.
+    /// BehaviorTree.CPP's tickExactlyOnce; with `while_woken`, its tickOnce. Idle after a fault.
     Status step(bool while_woken = false);
     /// BehaviorTree.CPP's haltTree.
     void halt();

@@ -39,8 +39,11 @@ public:
         }
         out.node = word;
         if (take('[')) {
-            out.number = std::stoi(std::string(text_.substr(at_)));
-            at_ = text_.find(']', at_) + 1;
+            const std::string numbers(text_.substr(at_, text_.find(']', at_) - at_));
+            out.number = std::stoi(numbers);
+            const std::size_t colon = numbers.find(':');
+            if (colon != std::string::npos) { out.second = std::stoi(numbers.substr(colon + 1)); }
+            at_ += numbers.size() + 1;
         }
         if (take('(')) {
             do {
@@ -68,14 +71,50 @@ private:
     std::size_t at_ = 0;
 };
 
+/// The ports of a node that has numbers.
+std::string ports(const TreeSpec& tree) {
+    const std::string number = std::to_string(tree.number);
+    const auto port = [](std::string_view name, std::string_view value) {
+        return ' ' + std::string(name) + "=\"" + std::string(value) + '"';
+    };
+    const std::string& node = tree.node;
+    if (node == "Repeat") { return port("num_cycles", number); }
+    if (node == "RetryUntilSuccessful") { return port("num_attempts", number); }
+    if (node == "Parallel") {
+        return port("success_count", number) + port("failure_count", std::to_string(tree.second));
+    }
+    if (node == "ParallelAll") { return port("max_failures", number); }
+    if (node == "Delay") { return port("delay_msec", number + "000"); }
+    if (node == "Timeout") { return port("msec", number + "000"); }
+    if (node == "RunOnce") { return port("then_skip", tree.number == 0 ? "true" : "false"); }
+    if (node == "TryCatch") { return port("catch_on_halt", tree.number == 0 ? "false" : "true"); }
+    if (node == "Precondition") {
+        return port("if", "_x.bumper") + port("else", name_of(static_cast<Status>(tree.number)));
+    }
+    if (node == "SkipUnlessUpdated" || node == "WaitValueUpdate") { return port("entry", "{x}"); }
+    if (node == "Script") { return port("code", "x := 1"); }
+    std::string out;
+    if (node == "LoopInt") {
+        for (int i = 1; i <= tree.number; ++i) {
+            out += (i == 1 ? "" : ";") + std::to_string(i);
+        }
+        return port("queue", out);
+    }
+    if (node.starts_with("Switch")) {
+        out = port("variable", number);
+        for (char i = '1'; i <= node.back(); ++i) {
+            out += port(std::string("case_") + i, std::string(1, i));
+        }
+    }
+    return out;
+}
+
 void append_xml(const TreeSpec& tree, std::size_t& leaves, std::string& out) {
     out += '<' + tree.node;
     if (!tree.script.empty()) {
         out += " id=\"" + leaf_id(leaves++) + "\" script=\"" + tree.script + '"';
     }
-    const std::string number = '"' + std::to_string(tree.number) + '"';
-    if (tree.node == "Repeat") { out += " num_cycles=" + number; }
-    if (tree.node == "RetryUntilSuccessful") { out += " num_attempts=" + number; }
+    out += ports(tree);
     for (const char letter : tree.before) {
         const std::string_view name = letter == 'f'   ? "_failureIf"
                                       : letter == 's' ? "_successIf"
@@ -105,7 +144,10 @@ std::string notation(const TreeSpec& tree) {
     if (tree.node == "SyncLeaf") { out += '='; }
     if (!tree.script.empty()) { return out + tree.script; }
     out += tree.node;
-    if (tree.number != 0) { out += '[' + std::to_string(tree.number) + ']'; }
+    const std::string second = tree.second != 0 ? ':' + std::to_string(tree.second) : "";
+    if (tree.number != 0 || tree.second != 0) {
+        out += '[' + std::to_string(tree.number) + second + ']';
+    }
     const char* between = "(";
     for (const TreeSpec& child : tree.children) {
         out += between + notation(child);

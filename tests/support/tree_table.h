@@ -2,8 +2,13 @@
 // tests/exec/tree_test.cpp.
 //
 //     tree  = NODE | NODE[NUMBER] , each with (tree, …)   "Repeat[2](SF)"
+//           | Parallel[SUCCESSES:FAILURES](tree, …)
 //           | SCRIPT                                      a Leaf: the letters S F R K, a tick each
 //           | =SCRIPT                                     a SyncLeaf
+//           | Script                                      writes the entry that *Updated watch
+//     NUMBER is the port that a node has: a time in s, how many elements a queue has, the variable
+//     of a Switch with the cases 1, 2, …; of booleans 0 is the default, 1 the other value; of
+//     Precondition (if="_x.bumper") the status `else`.
 //     before any of them: f? s? k? w?   _failureIf, _successIf, _skipIf, _while="_x.bumper"
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -19,7 +24,8 @@ namespace trellis::test {
 struct TreeSpec {
     std::string node;    ///< the element: "Sequence", "Leaf", …
     std::string script;  ///< of a leaf
-    int number = 0;      ///< num_cycles, num_attempts
+    int number = 0;      ///< its port: see above
+    int second = 0;      ///< failure_count
     std::string before;  ///< letters of the pre-conditions it has: f s k w
     std::vector<TreeSpec> children;
 };
