@@ -30,7 +30,8 @@ struct RunArguments {
     std::string svg;                  ///< empty: none
     bool log = false;
     bool stats = false;
-    bool no_world = false;  ///< --world none: no robot; prints "final: ID"
+    std::optional<double> cell;  ///< m, of the coverage that is reported; none: not reported
+    bool no_world = false;       ///< --world none: no robot; prints "final: ID"
     Format format = Format::text;
 };
 void add_options(CLI::App& app, RunArguments& arguments);
@@ -96,7 +97,7 @@ Exit execute(const NodesArguments& arguments, Streams& streams);
 
 /// trellis schema: the grammars as schemas.
 struct SchemaArguments {
-    std::string name;  ///< "tree-xsd", "machine-xsd", "tree-json" or "machine-json"
+    std::string name;  ///< "tree-xsd", "machine-xsd", "tree-json", "machine-json" or "world-json"
 };
 void add_options(CLI::App& app, SchemaArguments& arguments);
 Exit execute(const SchemaArguments& arguments, Streams& streams);

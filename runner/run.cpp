@@ -7,6 +7,7 @@
 #include "runner/run_report.h"
 #include "runner/start_events.h"
 #include "sim/bridge/trace_csv.h"
+#include "sim/coverage.h"
 #include "sim/trail.h"
 #include "sim/trail_svg.h"
 
@@ -31,10 +32,13 @@ struct TraceFile {
 /// One run: drives the episode and hands what happens to whoever asked for it.
 class Run : TraceSink {
 public:
-    Run(const RunArguments& arguments, const Behaviour& behaviour, Streams& streams)
+    /// `floor` is that of the world, to measure coverage on; null if nobody asks.
+    Run(const RunArguments& arguments, const Behaviour& behaviour, const Floor* floor,
+        Streams& streams)
         : arguments_(arguments), behaviour_(behaviour), program_(*behaviour.program),
           streams_(streams), labels_(program_), tally_(labels_) {
         if (arguments.stats) { profile_.emplace(program_); }
+        if (floor != nullptr) { coverage_.emplace(*floor); }
     }
 
     /// Opens the traces; false after a message. `random` says where random numbers come from.
@@ -49,6 +53,7 @@ private:
     void on(const TraceEvent& event) override;
     void add_row(const Episode& episode);
     void add_point(const Roomba& before, const State& after);
+    void cover(const Episode& episode);
     std::string picture(const Episode& episode, const std::string& random) const;
     std::string text_of(const RunReport& report) const {
         return arguments_.format == Format::json ? report_json(report) : report_text(report);
@@ -63,6 +68,7 @@ private:
     std::optional<Profile> profile_;
     std::vector<TraceFile> traces_;
     Trail trail_;
+    std::optional<Coverage> coverage_;
     std::vector<std::string> log_;
     bool written_ = true;
 };
@@ -118,15 +124,21 @@ void Run::add_point(const Roomba& before, const State& after) {
                 static_cast<std::uint16_t>(std::min<std::uint32_t>(label, TrailPoint::no_leaf))});
 }
 
+void Run::cover(const Episode& episode) {
+    if (coverage_) { coverage_->add(episode.robot().x, episode.robot().y, episode.state().tick); }
+}
+
 bool Run::drive(Episode& episode) {
     trace_start(episode, *this);
     add_row(episode);
+    cover(episode);
     const std::uint64_t ticks = arguments_.episode.tick_count();
     for (std::uint64_t i = 0; i < ticks && written_ && streams_.out; ++i) {
         const Roomba before = episode.robot();
         if (!episode.tick(this)) { break; }
         tally_.tick(episode);
         add_point(before, episode.state());
+        cover(episode);
         add_row(episode);
         if (episode.is_over()) { break; }
     }
@@ -154,6 +166,10 @@ bool Run::write_files(const Episode& episode, const std::string& random) {
 std::string Run::report(const Episode& episode, std::string random) {
     const std::string file = shown_name(arguments_.file);
     RunReport report{file, std::move(random), episode, labels_, tally_, log_};
+    if (coverage_) {
+        report.coverage.emplace(
+            CoverageReport{*coverage_, tally_, episode.state().tick, episode.setup().dt});
+    }
     if (!profile_) { return text_of(report); }
     const std::uint64_t ticks = episode.state().tick;
     profile_->finish(ticks);
@@ -224,7 +240,9 @@ Exit run_in_world(const RunArguments& arguments, const Behaviour& behaviour, Ran
     EpisodeSetup setup = setup_of(arguments.episode);
     setup.random = std::move(random);
     Episode episode(program, std::move(setup));
-    Run run(arguments, behaviour, streams);
+    std::optional<Floor> floor;
+    if (arguments.cell) { floor.emplace(floor_of(episode.setup().world, *arguments.cell)); }
+    Run run(arguments, behaviour, floor ? &*floor : nullptr, streams);
     if (!run.open(random_words)) { return Exit::file; }
     run.drive(episode);
     if (episode.state().fault) { show_fault(program, episode.state(), streams); }
@@ -240,6 +258,16 @@ const CLI::Validator trace_name(
                      : "a trace is written as FILE.csv or FILE.jsonl, not as \"" + path + "\"";
     },
     "", "trace_name");
+
+void add_coverage_options(CLI::App& app, RunArguments& arguments) {
+    app.add_flag_callback(
+        "--coverage", [&arguments] { arguments.cell = arguments.cell.value_or(default_cell); },
+        "report how much of the floor was covered, and when");
+    app.add_option("--cell", arguments.cell,
+                   "report coverage, on cells of so many metres; 0.05 if not given")
+        ->type_name("M")
+        ->check(CLI::Range(finest_cell, coarsest_cell));
+}
 
 }  // namespace
 
@@ -260,6 +288,7 @@ void add_options(CLI::App& app, RunArguments& arguments) {
         ->allow_extra_args(false)
         ->check(trace_name);
     app.add_option("--svg", arguments.svg, "draw the robot's way into a file")->type_name("FILE");
+    add_coverage_options(app, arguments);
     app.add_flag("--log", arguments.log, "print what <log> says, as \"label: value\"");
     app.add_flag("--stats", arguments.stats,
                  "report every node, state and transition, and which were never reached");

@@ -92,6 +92,7 @@ std::string report_text(const RunReport& report) {
     } else if (!report.labels.names().empty()) {
         out += '\n' + table(report);
     }
+    if (report.coverage) { out += '\n' + coverage_text(*report.coverage); }
     return out;
 }
 
@@ -119,6 +120,7 @@ std::string report_json(const RunReport& report) {
     }
     json.end_array();
     if (report.profile != nullptr) { add_profile(json, *report.profile); }
+    if (report.coverage) { add_coverage(json, *report.coverage); }
     if (!report.log.empty()) {
         json.begin_array("log");
         for (const std::string& line : report.log) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "runner/coverage_report.h"
 #include "runner/labels.h"
 #include "runner/profile_report.h"
 #include "runner/tally.h"
 #include "sim/bridge/episode.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,7 @@ struct RunReport {
     const Tally& tally;
     std::vector<std::string> log = {};       ///< lines of <log>, for json only
     const ProfileReport* profile = nullptr;  ///< --stats; null: not asked for
+    std::optional<CoverageReport> coverage = {};
 };
 
 /// How the run ended: "time is up", "final: ID" or "fault".

@@ -13,6 +13,9 @@ void Tally::on(const TraceEvent& event) {
 
 void Tally::tick(const Episode& episode) {
     if (const LabelId label = labels_->of(labels_->row(episode.state()))) { ++ticks[label.index]; }
+    const bool turning = episode.robot().v == 0.0 && episode.robot().w != 0.0;
+    turns += turning && !turning_ ? 1 : 0;
+    turning_ = turning;
     bumps += episode.robot().bumper ? 1 : 0;
     distance += std::fabs(episode.robot().v) * episode.setup().dt;
     successes += episode.status() == Status::success ? 1 : 0;

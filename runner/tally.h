@@ -24,10 +24,12 @@ public:
 
 private:
     const Labels* labels_;
+    bool turning_ = false;  // on the spot, in the last tick
 
 public:
     std::vector<std::uint64_t> entered;  ///< by label: how often it began
     std::vector<std::uint64_t> ticks;    ///< by label: ticks at whose end the run was at it
+    std::uint64_t turns = 0;             ///< how often it began to turn on the spot
     std::uint64_t bumps = 0;             ///< ticks in which the bumper was pressed
     double distance = 0.0;               ///< m, driven by the wheels
     std::uint64_t successes = 0;         ///< ticks in which the root succeeded

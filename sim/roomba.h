@@ -9,12 +9,14 @@ namespace trellis {
 /// One robot between two ticks. Copying it saves it, assigning it restores it.
 struct Roomba {
     // sensors: the world writes them, leaves read them
-    double x = 0.0;         ///< m, centre, to the right
-    double y = 0.0;         ///< m, centre, downwards
-    double rotation = 0.0;  ///< rad, clockwise as drawn, 0 looks to the right; never wrapped
-    double v = 0.0;         ///< m/s, linear velocity of the last move, negative backwards
-    double w = 0.0;         ///< rad/s, angular velocity of the last move, positive clockwise
-    bool bumper = false;    ///< the last move ended against a wall; holds for this tick only
+    double x = 0.0;             ///< m, centre, to the right
+    double y = 0.0;             ///< m, centre, downwards
+    double rotation = 0.0;      ///< rad, clockwise as drawn, 0 looks to the right; never wrapped
+    double v = 0.0;             ///< m/s, linear velocity of the last move, negative backwards
+    double w = 0.0;             ///< rad/s, angular velocity of the last move, positive clockwise
+    bool bumper = false;        ///< the last move ended against a wall; holds for this tick only
+    bool bumper_left = false;   ///< … and the left half of the front touched it
+    bool bumper_right = false;  ///< … and the right half did; both when it is straight ahead
 
     // commands: leaves write them through set_velocity, the next move obeys and keeps them
     double linear = 0.0;   ///< m/s

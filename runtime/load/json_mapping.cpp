@@ -187,15 +187,7 @@ std::string ElementReader::title(JsonId value) const {
 }
 
 std::string_view ElementReader::article(JsonId value) const {
-    switch (json_.kind(value)) {
-    case Kind::null: return "null";
-    case Kind::boolean: return json_.text(value);
-    case Kind::number: return "a number";
-    case Kind::string: return "text";
-    case Kind::array: return "an array";
-    case Kind::object: return "an object";
-    }
-    return {};
+    return trellis::article(json_, value);
 }
 
 void ElementWriter::add_bare(JsonId parent, std::string_view key, std::string_view text) {

@@ -160,6 +160,18 @@ private:
 
 }  // namespace
 
+std::string_view article(const JsonTree& json, JsonId value) {
+    switch (json.kind(value)) {
+    case JsonValue::Kind::null: return "null";
+    case JsonValue::Kind::boolean: return json.text(value);
+    case JsonValue::Kind::number: return "a number";
+    case JsonValue::Kind::string: return "text";
+    case JsonValue::Kind::array: return "an array";
+    case JsonValue::Kind::object: return "an object";
+    }
+    return {};
+}
+
 std::string print_json(const JsonTree& tree) {
     return Printer(tree).print();
 }

@@ -98,6 +98,10 @@ public:
 std::optional<JsonTree> parse_json(std::string_view text, std::uint32_t file,
                                    Diagnostics& diagnostics, const DocumentLimits& limits = {});
 
+/// "a number", "text", "an array", "true": what a value is, for "found …". A boolean's text belongs
+/// to `json`.
+std::string_view article(const JsonTree& json, JsonId value);
+
 /// The value as JSON: two spaces of indentation, arrays and objects on one line where they fit in
 /// 100 columns, a line feed at the end.
 std::string print_json(const JsonTree& tree);

@@ -5,6 +5,7 @@
 #include "load/schema_json.h"
 #include "load/schema_xsd.h"
 #include "sim/bridge/leaves.h"
+#include "sim/bridge/world_grammar.h"
 #include "support/goldens.h"
 
 #include <doctest/doctest.h>
@@ -25,4 +26,5 @@ TEST_CASE("schemas: the files in schemas/ are fresh") {
     check("trellis_machine.xsd", xsd(machine_grammar()));
     check("trellis_tree.schema.json", json_schema(tree_grammar(registry)));
     check("trellis_machine.schema.json", json_schema(machine_grammar()));
+    check("trellis_world.schema.json", world_schema());
 }

@@ -14,7 +14,8 @@ TEST_CASE("schema: what is printed is what is checked in") {
          {std::pair{"tree-xsd", "schemas/trellis_tree.xsd"},
           {"machine-xsd", "schemas/trellis_machine.xsd"},
           {"tree-json", "schemas/trellis_tree.schema.json"},
-          {"machine-json", "schemas/trellis_machine.schema.json"}}) {
+          {"machine-json", "schemas/trellis_machine.schema.json"},
+          {"world-json", "schemas/trellis_world.schema.json"}}) {
         INFO(std::string(schema.first));
         const Ran ran = run_words(files, {"schema", schema.first});
         CHECK(ran.exit == Exit::yes);
