@@ -117,12 +117,12 @@ void add_disc(CellSet& cells, const CellGrid& grid, Point place, double radius) 
 
 }  // namespace
 
-CellGrid grid_over(double left, double top, double width, double height, double cell) {
-    return {.left = left,
-            .top = top,
+CellGrid grid_over(const Bounds& bounds, double cell) {
+    return {.left = bounds.least.x,
+            .top = bounds.least.y,
             .cell = cell,
-            .columns = std::max(1, cells_over(width, cell)),
-            .rows = std::max(1, cells_over(height, cell))};
+            .columns = std::max(1, cells_over(bounds.most.x - bounds.least.x, cell)),
+            .rows = std::max(1, cells_over(bounds.most.y - bounds.least.y, cell))};
 }
 
 std::size_t CellSet::size() const {
@@ -154,7 +154,7 @@ std::span<const CellSpan> Floor::near(double part_x, double part_y) const {
 
 Floor floor_of(const LabWorld& world, double cell) {
     // where the lab's collision lets the centre be; in a room narrower than the robot, one line
-    Floor::Parts parts{.grid = grid_over(0.0, 0.0, world.width, world.height, cell),
+    Floor::Parts parts{.grid = grid_over({{0.0, 0.0}, {world.width, world.height}}, cell),
                        .reachable = {},
                        .radius = world.radius,
                        .x_least = world.radius,
@@ -176,11 +176,13 @@ Floor floor_of(const LabWorld& world, double cell) {
     return Floor(std::move(parts));
 }
 
+std::vector<Point> places_of(const Walls& walls, Point start, double apart) {
+    return Spread(walls, grid_over(walls.bounds(), apart)).from(start);
+}
+
 Floor floor_of(const Walls& walls, Point start, double cell) {
     const Bounds& bounds = walls.bounds();
-    const double width = bounds.most.x - bounds.least.x;
-    const double height = bounds.most.y - bounds.least.y;
-    Floor::Parts parts{.grid = grid_over(bounds.least.x, bounds.least.y, width, height, cell),
+    Floor::Parts parts{.grid = grid_over(bounds, cell),
                        .reachable = {},
                        .radius = walls.radius(),
                        .x_least = bounds.least.x,
@@ -189,8 +191,7 @@ Floor floor_of(const Walls& walls, Point start, double cell) {
                        .y_most = bounds.most.y};
     parts.reachable = CellSet(parts.grid);
     const double apart = std::min(cell, walls.radius() / 4.0);
-    const CellGrid places = grid_over(bounds.least.x, bounds.least.y, width, height, apart);
-    for (const Point& place : Spread(walls, places).from(start)) {
+    for (const Point& place : places_of(walls, start, apart)) {
         // far from walls the places around cover what this one covers, but for its own cell
         const bool beside_wall = walls.nearest(place).distance < walls.radius() + 2.0 * apart;
         add_disc(parts.reachable, parts.grid, place, beside_wall ? walls.radius() : apart);

@@ -38,9 +38,9 @@ struct CellGrid {
     friend bool operator==(const CellGrid&, const CellGrid&) = default;
 };
 
-/// The grid that covers `width` × `height` m from (left, top) on: the last column and row may reach
-/// beyond it.
-CellGrid grid_over(double left, double top, double width, double height, double cell);
+/// The grid that covers a rectangle from its upper left corner on: the last column and row may
+/// reach beyond it.
+CellGrid grid_over(const Bounds& bounds, double cell);
 
 /// A set of a grid's cells: one bit each, every row beginning with a word of its own.
 class CellSet {
@@ -136,6 +136,11 @@ private:
 
 /// The floor of the lab's room: all but the corners' roundings can be reached.
 Floor floor_of(const LabWorld& world, double cell = default_cell);
+
+/// Places where the centre of the disc can be, and to which it can come from `start` without a
+/// jump: at most `apart` m from each other, those beside walls touching them. Empty if the disc
+/// does not fit at `start`.
+std::vector<Point> places_of(const Walls& walls, Point start, double apart);
 
 /// The floor among walls that the disc can come to from `start` without a jump. Places of its
 /// centre are tried a quarter of its radius apart, or a cell if that is less: a passage that is

@@ -169,16 +169,27 @@ public:
 
     void reach(const WalledWorld& walled) {
         const Pose& start = world_.starts.front();
-        const Floor floor = floor_of(walled.walls, {start.x, start.y}, default_cell);
+        const double radius = world_.robot.radius;
+        const std::vector<Point> places = places_of(walled.walls, {start.x, start.y}, radius / 2.0);
+        const auto comes_near = [&](Point wanted, double distance) {
+            return std::any_of(places.begin(), places.end(), [&](Point place) {
+                return std::hypot(place.x - wanted.x, place.y - wanted.y) <= distance;
+            });
+        };
         for (std::size_t i = 0; i < world_.rooms.size(); ++i) {
-            if (!reaches(floor, world_.rooms[i]))
-                warn(reader_.list("rooms")[i], "the room" + of(world_.rooms[i].name));
+            const Polygon& room = world_.rooms[i];
+            if (std::none_of(places.begin(), places.end(),
+                             [&](Point place) { return is_inside(room, place); }))
+                warn(reader_.list("rooms")[i],
+                     "the room" + (room.name.empty() ? "" : " " + quoted(room.name)));
         }
         for (std::size_t i = 0; i < world_.dirt.size(); ++i) {
-            if (!reaches(floor, world_.dirt[i].centre)) warn(reader_.list("dirt")[i], "the dirt");
+            if (!comes_near(world_.dirt[i].centre, radius + world_.dirt[i].radius))
+                warn(reader_.list("dirt")[i], "the dirt");
         }
         for (const Dock& dock : world_.docks) {
-            if (!reaches(floor, dock.place)) warn(json_.member(json_.root(), "dock"), "the dock");
+            if (!comes_near(dock.place, dock.reach + radius / 2.0))
+                warn(json_.member(json_.root(), "dock"), "the dock");
         }
     }
 
@@ -190,26 +201,6 @@ private:
     void warn(JsonId value, const std::string& what) {
         diagnostics_.warning("world-unreachable", json_.at(value).where,
                              what + " cannot be reached from the first start");
-    }
-
-    static bool reaches(const Floor& floor, Point place) {
-        const CellGrid& grid = floor.grid();
-        const int column = static_cast<int>(std::floor((place.x - grid.left) / grid.cell));
-        const int row = static_cast<int>(std::floor((place.y - grid.top) / grid.cell));
-        return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows &&
-               floor.reachable().contains(column, row);
-    }
-
-    static bool reaches(const Floor& floor, const Polygon& room) {
-        const CellGrid& grid = floor.grid();
-        for (int row = 0; row < grid.rows; ++row) {
-            for (int column = 0; column < grid.columns; ++column) {
-                if (floor.reachable().contains(column, row) &&
-                    is_inside(room, {grid.centre_x(column), grid.centre_y(row)}))
-                    return true;
-            }
-        }
-        return false;
     }
 
     const JsonTree& json_;

@@ -29,7 +29,7 @@ TEST_CASE("floor: finer cells come closer to the exact area") {
 }
 
 TEST_CASE("floor: cells that do not divide the room reach beyond it") {
-    const CellGrid grid = grid_over(-1.0, 2.0, 1.0, 0.5, 0.3);
+    const CellGrid grid = grid_over({{-1.0, 2.0}, {0.0, 2.5}}, 0.3);
     CHECK(grid.columns == 4);
     CHECK(grid.rows == 2);
     CHECK(grid.centre_x(0) == doctest::Approx(-0.85));

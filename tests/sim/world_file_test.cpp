@@ -75,20 +75,22 @@ TEST_CASE("world file: names, types and numbers") {
     CHECK(findings("{}") == "1:1: json-member: a world needs \"starts\"\n"
                             "1:1: json-member: a world needs \"rooms\"\n");
     CHECK(findings(room(R"(, "furnitur": [])")) ==
-          "2:70: json-member: a world has no member \"furnitur\"; did you mean \"furniture\"?\n");
+          "2:76: json-member: a world has no member \"furnitur\"; did you mean \"furniture\"?\n");
     CHECK(findings(room(R"(, "robot": {"radius": "big"})")) ==
-          "2:90: json-type: \"radius\" must be a number, found text\n");
+          "2:96: json-type: \"radius\" must be a number, found text\n");
     CHECK(findings(room(R"(, "robot": {"radius": 0})")) ==
-          "2:89: bad-value: \"radius\" must be above 0, up to 1000000, found 0\n");
+          "2:95: bad-value: \"radius\" must be above 0, up to 1000000, found 0\n");
     CHECK(findings(room(R"(, "dock": {"x": 1e999, "y": 1})")) ==
-          "2:83: bad-value: \"x\" must be from -1000 to 1000, found 1e999\n");
+          "2:89: json-syntax: the number is too large\n");
     CHECK(findings(room(R"(, "dock": {"x": NaN, "y": 1})")) ==
-          "2:83: json-syntax: expected a value, found \"NaN\"\n");
+          "2:89: json-syntax: JSON has no NaN and no Infinity\n");
+    CHECK(findings(room(R"(, "dock": {"x": 1001, "y": 1})")) ==
+          "2:89: bad-value: \"x\" must be from -1000 to 1000, found 1001\n");
     CHECK(findings(room(R"(, "doors": [{"from": [1], "to": [1, "2"]}])")) ==
-          "2:88: json-type: \"from\" must be [x, y]\n"
-          "2:104: json-type: a coordinate must be a number, found text\n");
+          "2:94: json-type: \"from\" must be [x, y]\n"
+          "2:110: json-type: a coordinate must be a number, found text\n");
     CHECK(findings(room(R"(, "furniture": [{"corners": [[1, 1], [2, 2]]}])")) ==
-          "2:95: bad-value: \"corners\" must be at least 3 points, found 2\n");
+          "2:101: bad-value: \"corners\" must be at least 3 points, found 2\n");
     CHECK(findings(R"({"starts": [], "rooms": []})") ==
           "1:12: bad-value: \"starts\" must not be empty\n"
           "1:25: bad-value: \"rooms\" must not be empty\n");
@@ -98,13 +100,13 @@ TEST_CASE("world file: outlines that cross themselves") {
     CHECK(
         findings(room(
             R"(, "furniture": [{"name": "bow", "corners": [[1, 1], [2, 2], [2, 1], [1, 2]]}])")) ==
-        "2:128: world-outline: the outline of \"bow\" touches or crosses itself in the line from "
+        "2:133: world-outline: the outline of \"bow\" touches or crosses itself in the line from "
         "this corner on\n");
 }
 
 TEST_CASE("world file: doors beside walls") {
     CHECK(findings(room(R"(, "doors": [{"from": [1, 1], "to": [2, 1]}])")) ==
-          "2:79: world-door: the door lies on the outline of no room\n");
+          "2:85: world-door: the door lies on the outline of no room\n");
 }
 
 TEST_CASE("world file: starts where the robot does not fit") {
@@ -127,9 +129,9 @@ TEST_CASE("world file: what cannot be reached is a warning") {
 {"name": "hall", "corners": [[0, 0], [2, 0], [2, 2], [0, 2]]},
 {"name": "attic", "corners": [[2, 0], [4, 0], [4, 2], [2, 2]]}],
 "doors": [{"from": [2, 0.5], "to": [2, 0.8]}],
-"dirt": [{"x": 3, "y": 1}],
-"dock": {"x": 1, "y": 1}})") ==
-          "3:1: world-unreachable: the room of \"attic\" cannot be reached from the first start\n"
+"dirt": [{"x": 3, "y": 1}, {"x": 1.5, "y": 0.5}],
+"dock": {"x": 1.8, "y": 1.8}})") ==
+          "3:1: world-unreachable: the room \"attic\" cannot be reached from the first start\n"
           "5:10: world-unreachable: the dirt cannot be reached from the first start\n");
 }
 
