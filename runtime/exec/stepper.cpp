@@ -317,11 +317,11 @@ bool Stepper::boolean_port(RowId n, CodeId code, bool& result) {
 }
 
 Status Stepper::status_of(RowId n, const Value* value) {
-    if (value != nullptr && value->is(Value::Kind::text)) {
-        for (const Status status :
-             {Status::running, Status::success, Status::failure, Status::skipped}) {
-            if (name_of(status) == value->as_text()) { return status; }
-        }
+    for (const Status status :
+         {Status::running, Status::success, Status::failure, Status::skipped}) {
+        if (value == nullptr) { break; }
+        if (value->is(Value::Kind::text) && value->as_text() == name_of(status)) { return status; }
+        if (value->is_number() && value->number() == static_cast<double>(status)) { return status; }
     }
     return fault(Fault::Kind::expression, n,
                  value == nullptr ? "a port has no value" : print(*value) + " is no status");

@@ -21,6 +21,8 @@
 
 namespace trellis {
 
+struct Substitutions;
+
 /// One file that was read.
 struct ReadFile {
     std::string name;
@@ -36,6 +38,7 @@ public:
         : registry_(registry), trees_(trees), diagnostics_(diagnostics), options_(options) {}
 
     Program program;
+    Substitutions* substitutions = nullptr;  ///< null: no node is replaced
 
     const Registry& registry() const { return registry_; }
     const Grammar& grammar() const { return trees_; }

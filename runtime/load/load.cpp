@@ -6,6 +6,7 @@
 #include "load/compile.h"
 #include "load/grammar.h"
 #include "load/json.h"
+#include "load/substitutions.h"
 #include "load/xml.h"
 
 #include <algorithm>
@@ -52,6 +53,14 @@ void give(Builder& builder) {
     }
 }
 
+void warn_of_unused(const Substitutions& rules, Diagnostics& diagnostics) {
+    for (const SubstitutionRule& rule : rules.rules) {
+        if (rule.used) { continue; }
+        diagnostics.warning("substitution", rule.where,
+                            "no node is replaced by the rule for \"" + rule.pattern + '"');
+    }
+}
+
 }  // namespace
 
 FileKind kind_of(const Document& document) {
@@ -82,6 +91,11 @@ std::optional<Program> load(const Source& source, const Registry& registry,
     if (std::optional<Document> document = read(source, diagnostics, options); document) {
         const Grammar trees = tree_grammar(registry);
         Builder builder(registry, trees, diagnostics, options);
+        std::optional<Substitutions> rules;
+        if (options.substitutions != nullptr) {
+            rules = read_substitutions(*options.substitutions, trees, diagnostics, options);
+            builder.substitutions = &*rules;
+        }
         if (kind_of(*document) == FileKind::machine) {
             check(*document, machine_grammar(), diagnostics);
             compile_machine({source.name, std::move(*document)}, builder);
@@ -89,6 +103,7 @@ std::optional<Program> load(const Source& source, const Registry& registry,
             check(*document, trees, diagnostics);
             compile_tree({source.name, std::move(*document)}, builder);
         }
+        if (rules) { warn_of_unused(*rules, diagnostics); }
         give(builder);
         for (const auto& [name, number] : registry.enumerators()) {
             builder.program.code.enums.push_back({name, static_cast<double>(number)});

@@ -41,6 +41,11 @@ struct LoadOptions {
     /// Variables that the host sets before the run, and their values as text: of the main tree's
     /// blackboard, or top-level <data> of a machine. "path/name" names one inside a subtree.
     std::vector<std::pair<std::string, std::string>> given = {};
+    /// Rules that put other nodes in the place of some, to test a tree without its robot; null:
+    /// none. JSON as BehaviorTree.CPP loads it: {"TestNodeConfigs": {NAME: {…}},
+    /// "SubstitutionRules": {PATTERN: NAME}}. A pattern is the name or the type of a node, or its
+    /// path with * and ?; the first that matches counts. The text is needed during load() only.
+    const Source* substitutions = nullptr;
     DocumentLimits limits = {};
     std::uint32_t rows = 4'000'000;  ///< of a program, with all subtrees expanded
 };

@@ -48,6 +48,7 @@ RowId TreeCompiler::tree(const TreeSource& tree, RowId parent) {
                                   document.at(tree.element).where);
     if (!n) { return n; }
     const ScopeId scope = scopes_.add(n, {});
+    paths_.resize(scope.index + 1);
     reached_.insert(tree.id);
     expanding_.push_back(tree.id);
     children_of({tree.file, tree.element, scope, n}, n);
@@ -98,6 +99,9 @@ std::string_view TreeCompiler::instance_name(const Place& place) const {
 }
 
 void TreeCompiler::node(const Place& place) {
+    if (builder_.substitutions != nullptr) {
+        if (const SubstitutionRule* rule = rule_for(place)) { return replace(place, *rule); }
+    }
     const std::string_view name = kind(place);
     if (name == "SubTree") { return subtree(place); }
     if (const auto op = built_ins_.find(name); op != built_ins_.end()) {
@@ -185,6 +189,8 @@ void TreeCompiler::subtree(const Place& place) {
         return;
     }
     if (is_recursive(tree->id, id->value_where)) { return; }
+    const std::string path =
+        builder_.substitutions != nullptr ? path_of(place, name) + '/' : std::string();
     const RowId n = builder_.open(Op::subtree, place.parent, instance_name(place),
                                   document(place).at(place.element).where);
     if (!n) { return; }
@@ -197,6 +203,10 @@ void TreeCompiler::subtree(const Place& place) {
                                          "\" in this tree");
     }
     const ScopeId inside = scopes_.add(n, place.scope);
+    if (builder_.substitutions != nullptr) {
+        paths_.resize(inside.index + 1);
+        paths_.back() = path;
+    }
     parameters(place, inside, files_.model(name));
     reached_.insert(tree->id);
     expanding_.push_back(tree->id);

@@ -1,6 +1,6 @@
 // Compiles trees: nodes to rows, attributes to ports, names to variables (TREES §2). The built-in
-// nodes and their ports are in tree_nodes.cpp. Private to runtime/load; the entrance is compile.h.
-// Covered by tests/load/compile_tree_test.cpp.
+// nodes and their ports are in tree_nodes.cpp, replaced nodes in tree_tests.cpp. Private to
+// runtime/load; the entrance is compile.h. Covered by tests/load/compile_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,12 +9,16 @@
 #include "load/scopes.h"
 #include "load/tree_files.h"
 
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 namespace trellis {
+
+struct SubstitutionRule;
+struct TestConfig;
 
 class TreeCompiler {
 public:
@@ -49,7 +53,7 @@ private:
     // built-in nodes: tree_nodes.cpp
     std::uint32_t node_arg(const Place& place, Op op);
     std::uint32_t ports(const Place& place, Op op);
-    CodeId port_code(const Place& place, std::string_view name, std::string_view type,
+    CodeId port_code(const Place& place, Op op, std::string_view name, std::string_view type,
                      const Attribute& attribute);
     SlotId named_entry(const Place& place, Op op);
     CodeId queue(const Attribute& attribute, std::string_view text, Op op);
@@ -58,6 +62,14 @@ private:
     /// An entry that a port of that type is bound to has this type from the beginning.
     void declare(SlotId slot, PortType type, Where where);
     CodeId script(const Place& place, const Attribute& attribute);
+    CodeId compiled(const Place& place, const Builder::Text& script);
+
+    // substitution rules: tree_tests.cpp
+    std::string path_of(const Place& place, std::string_view type) const;
+    SubstitutionRule* rule_for(const Place& place);
+    void replace(const Place& place, const SubstitutionRule& rule);
+    bool is_replaceable(const Place& place, const SubstitutionRule& rule);
+    void test(const Place& place, const TestConfig& config);
 
     void leaf_port(const Place& place, const Port& port, const Attribute& attribute);
     void conditions(const Place& place, RowId n);
@@ -71,6 +83,7 @@ private:
     Scopes scopes_;
     std::unordered_map<std::string_view, Op> built_ins_;
     std::unordered_map<std::string_view, const LeafType*> leaves_;
+    std::vector<std::string> paths_;           // by scope: before the nodes in it; for rules only
     std::vector<std::string_view> expanding_;  // IDs of the subtrees being compiled
     std::unordered_set<std::string_view> reached_;
 };

@@ -147,7 +147,7 @@ void TreeCompiler::built_in(const Place& place, const OpInfo& op) {
                                   document(place).at(place.element).where, arg);
     if (!n) { return; }
     conditions(place, n);
-    children_of(place, n);
+    if (op.most_children != 0) { children_of(place, n); }
     builder_.close(n);
     const std::size_t count = document(place).child_count(place.element);
     if (op.op == Op::parallel) {
@@ -198,7 +198,8 @@ std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
         if (attribute != nullptr && port.type != "key") {
             // BehaviorTree.CPP lets a Script be empty, and succeeds
             const bool empty = op == Op::script && attribute->value.size == 0;
-            codes.push_back(empty ? CodeId() : port_code(place, port.name, port.type, *attribute));
+            codes.push_back(empty ? CodeId()
+                                  : port_code(place, op, port.name, port.type, *attribute));
         } else if (!port.initial.empty()) {
             codes.push_back(builder_.constant(literal_value(port.initial), Dialect::tree));
         } else {
@@ -210,8 +211,8 @@ std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
     return static_cast<std::uint32_t>(table.size() - codes.size());
 }
 
-CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::string_view type,
-                               const Attribute& attribute) {
+CodeId TreeCompiler::port_code(const Place& place, Op op, std::string_view name,
+                               std::string_view type, const Attribute& attribute) {
     if (type == "script") { return script(place, attribute); }
     const std::string_view value = document(place).string(attribute.value);
     if (is_pointer(value)) {
@@ -222,8 +223,7 @@ CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::s
         if (needed) { scopes_.needed(slot, attribute.value_where); }
         return builder_.variable(slot, Dialect::tree);
     }
-    const auto op = built_ins_.find(kind(place));
-    if (name == "queue") { return queue(attribute, value, op->second); }
+    if (name == "queue") { return queue(attribute, value, op); }
     if (type == "text" || type == "any") {
         return builder_.constant(Value::text(value), Dialect::tree);
     }
@@ -231,9 +231,12 @@ CodeId TreeCompiler::port_code(const Place& place, std::string_view name, std::s
 }
 
 CodeId TreeCompiler::script(const Place& place, const Attribute& attribute) {
-    const Builder::Text text = Builder::text_of(*place.file, attribute);
-    TreeNames names(builder_, scopes_, place.scope, text);
-    return builder_.expression(text, Dialect::tree, SyntaxMode::script, names);
+    return compiled(place, Builder::text_of(*place.file, attribute));
+}
+
+CodeId TreeCompiler::compiled(const Place& place, const Builder::Text& script) {
+    TreeNames names(builder_, scopes_, place.scope, script);
+    return builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
 }
 
 void TreeCompiler::declare(SlotId slot, PortType type, Where where) {
