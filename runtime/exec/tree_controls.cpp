@@ -1,6 +1,6 @@
 // The controls that choose between their children or tick several at once (TREES §1.1), one
 // function each. Sequences and fallbacks are in tree_rules.cpp. Covered by
-// tests/exec/tree_test.cpp and, on all small trees, tests/exec/tree_reference_test.cpp.
+// tests/exec/tree_nodes_test.cpp and, on all small trees, tests/exec/tree_reference_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "core/number.h"
 #include "exec/evaluate_rules.h"

@@ -1,6 +1,6 @@
 // The decorators that wait, count or watch (TREES §1.2), one function each. Time is logical: a
 // deadline is the number of a tick. Those that only map a status are in tree_rules.cpp. Covered by
-// tests/exec/tree_test.cpp and tests/exec/tree_reference_test.cpp.
+// tests/exec/tree_nodes_test.cpp and tests/exec/tree_reference_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "core/ports.h"
 #include "exec/evaluate_rules.h"

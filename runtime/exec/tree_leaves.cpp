@@ -1,5 +1,5 @@
 // The leaves that need no robot (TREES §1.3), one function each; scripts are in tree_rules.cpp.
-// Covered by tests/exec/tree_test.cpp.
+// Covered by tests/exec/tree_nodes_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "core/ports.h"
 #include "exec/evaluate_rules.h"
