@@ -1,6 +1,5 @@
 // Machines that are told events, per event, beside the same machine as a switch: two states, a ring
-// of 512, ten levels deep. Results per machine are in
-// bench/README.md.
+// of 512, ten levels deep, eight regions. Results per machine are in bench/README.md.
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
 #include "support.h"
@@ -91,6 +90,18 @@ void deep(benchmark::State& bench) {
     send_in_turn<1>(bench, branch("a", on("next", "b9")) + branch("b", on("next", "a9")), {"next"});
 }
 BENCHMARK(deep)->Name("machine/ten levels");
+
+// each event changes the state in every region
+void parallel(benchmark::State& bench) {
+    std::string regions;
+    for (std::int64_t i = 0; i < bench.range(0); ++i) {
+        const std::string n = std::to_string(i);
+        regions += state("r" + n,
+                         state("a" + n, on("next", "b" + n)) + state("b" + n, on("next", "a" + n)));
+    }
+    send_in_turn<1>(bench, "<parallel id=\"p\">" + regions + "</parallel>", {"next"});
+}
+BENCHMARK(parallel)->Name("machine/parallel")->Arg(8);
 
 }  // namespace
 }  // namespace trellis

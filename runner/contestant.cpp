@@ -32,6 +32,7 @@ std::uint64_t Contestant::ticks_of(RowId row) const {
 }
 
 void Contestant::on(const TraceEvent& event) {
+    if (event.machine != nullptr) { return; }  // of an invoked machine: other rows
     tally_.on(event);
     if (event.kind == TraceEvent::Kind::transition) {
         happenings_.push_back({.kind = Happening::Kind::transition,

@@ -15,12 +15,14 @@ void append_run_line(std::string& out, const Program& program, const RunLine& ru
     out += std::move(json.end_object()).finish();
 }
 
-void append_event_line(std::string& out, const Program& program, const TraceEvent& event) {
+void append_event_line(std::string& out, const Program& outermost, const TraceEvent& event) {
     using Kind = TraceEvent::Kind;
+    const Program& program = event.machine != nullptr ? *event.machine : outermost;
     const bool is_state = event.row && op_table()[program.at(event.row).op].group == OpGroup::state;
     if ((event.kind == Kind::status && is_state) || event.kind == Kind::event) { return; }
     JsonWriter json(JsonWriter::Layout::one_line);
     json.begin_object().count("tick", event.tick).text("event", name_of(event.kind));
+    if (event.machine != nullptr) { json.count("session", event.session); }
     if (event.row) { json.count("row", event.row.index).text("name", program.name(event.row)); }
     if (event.kind == Kind::status) {
         json.text("from", name_of(event.from)).text("to", name_of(event.to));

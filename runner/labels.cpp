@@ -10,7 +10,7 @@ namespace {
 
 bool is_atomic_state(const Program& program, RowId n) {
     const auto is_state = [&](RowId row) {
-        return program.at(row).op == Op::state || program.at(row).op == Op::final;
+        return op_table()[program.at(row).op].group == OpGroup::state;
     };
     if (!is_state(n)) { return false; }
     for (const RowId child : children(program, n)) {

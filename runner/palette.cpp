@@ -41,6 +41,7 @@ std::string_view kind_name(const OpInfo& op) {
     case OpGroup::condition: return "Condition";
     case OpGroup::scope: return "SubTree";
     case OpGroup::state:
+    case OpGroup::pseudo:
     case OpGroup::activity: break;
     }
     return {};

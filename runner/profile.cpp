@@ -13,6 +13,7 @@ Profile::Profile(const Program& program)
       taken_(program.transitions.size()) {}
 
 void Profile::on(const TraceEvent& event) {
+    if (event.machine != nullptr) { return; }  // of an invoked machine: other rows
     switch (event.kind) {
     case TraceEvent::Kind::status: on_status(event); break;
     case TraceEvent::Kind::tick: on_leaf(event); break;

@@ -10,6 +10,7 @@ bool is_end(const Program& program, RowId n) {
 }
 
 void RowStatuses::on(const TraceEvent& event) {
+    if (event.machine != nullptr) { return; }  // of an invoked machine: other rows
     const auto show = [&](Status status) {
         Row& row = rows_[event.row.index];
         row.shown = status;

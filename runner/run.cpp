@@ -191,12 +191,6 @@ bool writes_to_pipe(const RunArguments& arguments) {
     return arguments.svg == "-" || std::find(traces.begin(), traces.end(), "-") != traces.end();
 }
 
-/// Whether nothing can happen any more in a machine that no robot ticks.
-bool is_at_rest(const Program& program, const State& state) {
-    return !program.tick_event && state.session.external_next == state.session.external.size() &&
-           state.session.invokes.empty();
-}
-
 class LogSink : public TraceSink {
 public:
     explicit LogSink(std::ostream& out) : out_(out) {}
@@ -221,9 +215,14 @@ Exit run_without_world(const RunArguments& arguments, const Program& program, Ra
     State state = fresh_state(program);
     state.random = std::move(random);
     start(program, state, {}, options);
+    // time jumps to the next cycle in which something can happen; a machine that can do nothing any
+    // more has ended
     const std::uint64_t ticks = arguments.episode.tick_count();
-    for (std::uint64_t i = 0; i < ticks && !state.fault; ++i) {
-        if (is_done(step(program, state, {}, options)) || is_at_rest(program, state)) { break; }
+    while (!state.fault) {
+        const std::optional<std::uint64_t> idle = idle_cycles(program, state);
+        if (!idle || state.tick + *idle >= ticks) { break; }
+        skip_cycles(state, *idle);
+        if (is_done(step(program, state, {}, options))) { break; }
     }
     if (state.fault) {
         show_fault(program, state, streams);

@@ -7,6 +7,7 @@
 namespace trellis {
 
 void Tally::on(const TraceEvent& event) {
+    if (event.machine != nullptr) { return; }  // of an invoked machine: other rows
     if (event.kind != TraceEvent::Kind::status || event.from != Status::idle) { return; }
     if (const LabelId label = labels_->of(event.row)) { ++entered[label.index]; }
 }

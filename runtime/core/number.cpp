@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/number.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -203,6 +204,24 @@ ParsedNumber parse_whole_number(std::string_view text) {
     if (negative) result.value = -result.value;
     result.length = text.size();
     return result;
+}
+
+std::optional<double> parse_duration(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    text.remove_prefix(first);
+    text = text.substr(0, text.find_last_not_of(blanks) + 1);
+    const ParsedNumber number = parse_number(text);
+    const std::string_view unit = text.substr(number.length);
+    const bool is_digit =
+        number.length != 0 && (text[0] == '.' || (text[0] >= '0' && text[0] <= '9'));
+    if (!is_digit || number.out_of_range) { return {}; }
+    if (unit == "ms" || unit.empty()) { return number.value * 0.001; }
+    if (unit == "s") { return number.value; }
+    if (unit == "m") { return number.value * 60; }
+    if (unit == "h") { return number.value * 3600; }
+    if (unit == "d") { return number.value * 86400; }
+    return {};
 }
 
 }  // namespace trellis

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,5 +41,9 @@ ParsedNumber parse_number(std::string_view text);
 /// sign, or a hexadecimal float as C and Python write it (-0x1.aa809da4227e9p+0). length is
 /// text.size() or 0; nothing is trimmed.
 ParsedNumber parse_whole_number(std::string_view text);
+
+/// The seconds of a duration as SCXML and CSS2 write it: a number that is not negative and ms, s,
+/// m, h or d (no unit: ms), with blanks around it or not. Nothing for other texts.
+std::optional<double> parse_duration(std::string_view text);
 
 }  // namespace trellis

@@ -34,6 +34,15 @@ public:
         }
         section("code");
         out_ += dump(p_.code);
+        for (const MachineSource& s : p_.sources) {
+            out_ += "source \"" + s.source + '"';
+            field("is machine", s.machine);
+            out_ += '\n';
+        }
+        for (std::size_t i = 0; i < p_.machines.size(); ++i) {
+            section("machine " + std::to_string(i));
+            out_ += Printer(p_.machines[i]).print();
+        }
         return std::move(out_);
     }
 
@@ -69,6 +78,11 @@ private:
         const OpGroup group = op_table()[r.op].group;
         if (group == OpGroup::state) { state(p_.state(n)); }
         if (group == OpGroup::activity) { invoke(p_.invokes[r.arg]); }
+        if (group == OpGroup::pseudo) {
+            out_ += p_.histories[r.arg].deep ? "    deep" : "    shallow";
+            field("initial", p_.histories[r.arg].initial);
+            out_ += '\n';
+        }
     }
 
     void state(const StateInfo& s) {
@@ -83,7 +97,9 @@ private:
         }
         field("initial", s.initial);
         field("invokes", s.invokes, s.invokes > 0);
+        field("histories", s.histories, s.histories > 0);
         event("done", s.done);
+        payload(s.donedata);
         out_ += '\n';
     }
 
@@ -96,7 +112,46 @@ private:
             field("slot", param.slot);
             field("<- code", param.code);
         }
-        out_ += '\n';
+        event("done", i.done);
+        field("machine", i.machine);
+        field("source code", i.source);
+        field("type code", i.type);
+        place(i.id_place);
+        payload(i.payload);
+        field("finalize", i.finalize);
+        out_ += i.autoforward ? " autoforward\n" : "\n";
+    }
+
+    void place(const Place& p) {
+        field("id -> slot", p.slot);
+        field("id -> store", p.store);
+    }
+
+    void payload(PayloadId id) {
+        if (!id) { return; }
+        const Payload& p = p_.payloads[id.index];
+        for (std::uint32_t i = 0; i < p.item_count; ++i) {
+            const PayloadItem& item = p_.payload_items[p.first_item + i];
+            field(item.name + (item.listed ? " <= code" : " <- code"), item.code);
+        }
+        field("content code", p.content);
+    }
+
+    void text(std::string_view label, const LiveText& t) {
+        if (!t.text.empty()) { ((out_ += ' ') += label) += " \"" + t.text + '"'; }
+        field(std::string(label) + " code", t.code);
+    }
+
+    void send(const Send& s) {
+        event("event", s.event);
+        field("event code", s.event_code);
+        text("target", s.target);
+        text("type", s.type);
+        if (s.delay != 0.0) { out_ += " delay " + trellis::print(Value::real(s.delay)); }
+        field("delay code", s.delay_code);
+        if (!s.id.empty()) { out_ += " id \"" + s.id + '"'; }
+        place(s.id_place);
+        payload(s.payload);
     }
 
     void event(std::string_view label, EventId e) {
@@ -181,8 +236,9 @@ private:
     }
 
     void actions() {
-        static constexpr std::string_view kinds[] = {"end",   "run", "assign", "initialise",
-                                                     "raise", "log", "unless", "jump"};
+        static constexpr std::string_view kinds[] = {"end",   "run",  "assign", "initialise",
+                                                     "raise", "log",  "unless", "jump",
+                                                     "each",  "send", "cancel", "refuse"};
         section("actions");
         for (std::size_t i = 0; i < p_.actions.size(); ++i) {
             const Action& a = p_.actions[i];
@@ -193,7 +249,14 @@ private:
             field("slot", a.slot);
             event("event", a.event);
             field("to", a.go_to);
-            if (a.kind == Action::Kind::log) { out_ += " \"" + p_.labels[a.label] + '"'; }
+            if (a.kind == Action::Kind::log || a.kind == Action::Kind::refuse) {
+                out_ += " \"" + p_.labels[a.arg] + '"';
+            }
+            if (a.kind == Action::Kind::each) {
+                field("item", p_.loops[a.arg].item);
+                field("index", p_.loops[a.arg].index);
+            }
+            if (a.kind == Action::Kind::send) { send(p_.sends[a.arg]); }
             out_ += '\n';
         }
     }
@@ -231,16 +294,22 @@ bool operator==(const Program& a, const Program& b) {
     return a.rows == b.rows && a.names == b.names && a.slots == b.slots &&
            a.code.instructions == b.code.instructions && a.code.constants == b.code.constants &&
            a.code.guards == b.code.guards && a.calls == b.calls && a.live_inputs == b.live_inputs &&
-           a.derived == b.derived && a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
-           a.quiet_guards == b.quiet_guards && a.bound_outputs == b.bound_outputs &&
-           a.prototypes == b.prototypes && a.ports == b.ports && a.nodes == b.nodes &&
-           a.tests == b.tests && a.words == b.words && a.queues == b.queues &&
-           a.counts_writes == b.counts_writes && a.conditions == b.conditions &&
-           a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&
-           a.events == b.events && a.descriptors == b.descriptors && a.actions == b.actions &&
-           a.blocks == b.blocks && a.labels == b.labels && a.invokes == b.invokes &&
-           a.params == b.params && a.tick_event == b.tick_event && a.error_event == b.error_event &&
-           a.event_slot == b.event_slot && a.has_eventless == b.has_eventless && a.host == b.host;
+           a.derived == b.derived && a.formulas == b.formulas &&
+           a.formula_steps == b.formula_steps && a.quiet_guards == b.quiet_guards &&
+           a.bound_outputs == b.bound_outputs && a.prototypes == b.prototypes &&
+           a.ports == b.ports && a.nodes == b.nodes && a.tests == b.tests && a.words == b.words &&
+           a.queues == b.queues && a.counts_writes == b.counts_writes &&
+           a.conditions == b.conditions && a.states == b.states && a.transitions == b.transitions &&
+           a.targets == b.targets && a.events == b.events && a.descriptors == b.descriptors &&
+           a.actions == b.actions && a.blocks == b.blocks && a.labels == b.labels &&
+           a.invokes == b.invokes && a.params == b.params && a.tick_event == b.tick_event &&
+           a.error_event == b.error_event && a.event_slot == b.event_slot &&
+           a.has_eventless == b.has_eventless && a.host == b.host && a.histories == b.histories &&
+           a.has_messages == b.has_messages && a.payloads == b.payloads &&
+           a.payload_items == b.payload_items && a.sends == b.sends && a.loops == b.loops &&
+           a.parameters == b.parameters && a.session_slot == b.session_slot &&
+           a.processors_slot == b.processors_slot && a.machines == b.machines &&
+           a.sources == b.sources;
 }
 
 std::string dump(const Program& program) {

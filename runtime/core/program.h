@@ -24,7 +24,16 @@ enum class Op : std::uint8_t {
 };
 
 /// What a row is for: the first word of a TreeNodesModel entry, and what may contain what.
-enum class OpGroup : std::uint8_t { control, decorator, action, condition, scope, state, activity };
+enum class OpGroup : std::uint8_t {
+    control,
+    decorator,
+    action,
+    condition,
+    scope,
+    state,
+    pseudo,  ///< of machines: never active itself
+    activity
+};
 
 /// One line of ops.def.
 struct OpInfo {
@@ -218,12 +227,15 @@ struct Transition {
     /// The events that the only descriptor matches; none unless there is exactly one.
     EventId event_begin = {}, event_end = {};
     bool internal = false;  ///< type="internal", and source and targets allow it (SCXML 3.13)
-    RowId domain = {};      ///< the row whose descendants are left; none if targetless
+    /// A target is a history: what it stands for decides the domain when the transition is taken.
+    bool to_history = false;
+    RowId domain = {};  ///< the row whose descendants are left; none if targetless
 
     friend bool operator==(const Transition&, const Transition&) = default;
 };
 
-/// What a machine, state or final row has besides its children. Row::arg indexes Program::states.
+/// What a machine, state, parallel or final row has besides its children. Row::arg indexes
+/// Program::states.
 struct StateInfo {
     std::uint32_t first_transition = 0, transition_count = 0;
     std::uint32_t first_entry = 0, entry_count = 0;  ///< Program::blocks: <onentry>, in order
@@ -234,19 +246,106 @@ struct StateInfo {
     /// order, if none of them needs code; then the state is quiet in a cycle in which none holds.
     std::uint32_t first_guard = 0, guard_count = 0;
     bool may_be_quiet = false;
-    std::uint32_t invokes = 0;  ///< number of invoke rows; they precede the states among children
-    EventId done;               ///< compound states: done.state.ID
+    bool atomic = false;  ///< it has no states inside
+    /// Numbers of invoke and history rows: in this order they precede the states among children.
+    std::uint32_t invokes = 0, histories = 0;
+    EventId done;        ///< compound and parallel states: done.state.ID
+    PayloadId donedata;  ///< final states: what the event of their parent carries
 
     friend bool operator==(const StateInfo&, const StateInfo&) = default;
 };
 
-/// One <invoke>. Row::arg indexes Program::invokes; the only child row is what runs.
+/// One <history>. Row::arg indexes Program::histories.
+struct History {
+    bool deep = false;
+    TransitionId initial = {};  ///< where it leads while nothing is stored
+
+    friend bool operator==(const History&, const History&) = default;
+};
+
+/// A text that a document gives, or gives an expression for.
+struct LiveText {
+    std::string text;
+    CodeId code;  ///< none: it is `text`
+
+    explicit operator bool() const { return code || !text.empty(); }
+    friend bool operator==(const LiveText&, const LiveText&) = default;
+};
+
+/// Where an idlocation writes to: a variable, or a place below one through the temporary that its
+/// code stores. Neither: there is no idlocation.
+struct Place {
+    SlotId slot;
+    CodeId store;
+
+    explicit operator bool() const { return slot || store; }
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What an event or an invocation carries (SCXML 5.5 to 5.7): members of an object, or a whole.
+struct Payload {
+    std::uint32_t first_item = 0, item_count = 0;  ///< Program::payload_items
+    CodeId content;                                ///< the whole; then there are no items
+
+    friend bool operator==(const Payload&, const Payload&) = default;
+};
+
+/// One name of a namelist, or one <param>.
+struct PayloadItem {
+    std::string name;
+    CodeId code;
+    bool listed = false;  ///< of a namelist: if it fails, so does the whole message
+
+    friend bool operator==(const PayloadItem&, const PayloadItem&) = default;
+};
+
+/// One <send> (SCXML 6.2).
+struct Send {
+    EventId event;       ///< its name, or none
+    CodeId event_code;   ///< eventexpr
+    LiveText target;     ///< empty: the session itself
+    LiveText type;       ///< empty: SCXML's own processor
+    double delay = 0.0;  ///< s
+    CodeId delay_code;   ///< delayexpr
+    std::string id;      ///< empty: none, or made for `id_place`
+    Place id_place;
+    PayloadId payload;
+
+    friend bool operator==(const Send&, const Send&) = default;
+};
+
+/// The variables of one <foreach>.
+struct Loop {
+    SlotId item, index;
+
+    friend bool operator==(const Loop&, const Loop&) = default;
+};
+
+/// One <invoke>. Row::arg indexes Program::invokes; a leaf or tree is its only child row, a machine
+/// is a program of its own.
 struct InvokeInfo {
     std::string id;
-    EventId done_success, done_failure;  ///< done.invoke.ID.success, done.invoke.ID.failure
+    EventId done;                        ///< machines: done.invoke.ID
+    EventId done_success, done_failure;  ///< leaves, trees: done.invoke.ID.success and .failure
     std::uint32_t first_param = 0, param_count = 0;  ///< Program::params; trees only
+    // the rest is about machines
+    MachineId machine = {};  ///< Program::machines of the outermost; none if `source` says it
+    CodeId source = {};      ///< srcexpr, or expr of <content>: gives one of Program::sources
+    CodeId type = {};        ///< typeexpr
+    PayloadId payload = {};  ///< values of the machine's variables
+    Place id_place = {};     ///< idlocation
+    BlockId finalize = {};   ///< done before an event from the machine is answered
+    bool autoforward = false;
 
     friend bool operator==(const InvokeInfo&, const InvokeInfo&) = default;
+};
+
+/// A machine that the text `source` of a srcexpr or a <content expr> stands for.
+struct MachineSource {
+    std::string source;
+    MachineId machine;
+
+    friend bool operator==(const MachineSource&, const MachineSource&) = default;
 };
 
 /// The pre- and post-conditions of one node (TREES §1.5); a none is a condition it does not have.
@@ -274,16 +373,21 @@ struct Action {
         assign,      ///< <assign>: evaluate `code`, then run `store` on the result
         initialise,  ///< <data>: give `slot` the value of `code` unless the host has set it
         raise,       ///< put `event` into the internal queue
-        log,         ///< report `label` and the value of `code` (none: the label alone)
+        log,         ///< report label `arg` and the value of `code` (none: the label alone)
         unless,      ///< go on at action `go_to` if `code` is false (<if>, <elseif>)
         jump,        ///< go on at action `go_to` (the end of a branch)
+        each,        ///< <foreach>: run the actions up to their `end` with the variables of loop
+                     ///< `arg` for each element of `code`, then go on at `go_to`
+        send,        ///< <send> number `arg`
+        cancel,      ///< <cancel> the messages with the id `code`
+        refuse,      ///< raise error.execution: label `arg` says why
     };
     Kind kind = Kind::end;
     CodeId code = {}, store = {};
     SlotId slot = {};
     EventId event = {};
     BlockId go_to = {};
-    std::uint32_t label = 0;  ///< Program::labels
+    std::uint32_t arg = 0;  ///< Program::labels, loops or sends
 
     friend bool operator==(const Action&, const Action&) = default;
 };
@@ -323,10 +427,28 @@ struct Program {
     std::vector<std::string> labels;
     std::vector<InvokeInfo> invokes;
     std::vector<InvokeParam> params;
-    EventId tick_event;          ///< "tick", or none if no transition names it
-    EventId error_event;         ///< "error.execution"; none in trees
-    SlotId event_slot;           ///< `_event`, or none if no expression uses it
-    bool has_eventless = false;  ///< whether any transition is eventless
+    std::vector<History> histories;
+    std::vector<Payload> payloads;
+    std::vector<PayloadItem> payload_items;
+    std::vector<Send> sends;
+    std::vector<Loop> loops;
+    std::vector<SlotId> parameters;        ///< the variables that an invoking machine may set
+    EventId tick_event;                    ///< "tick", or none if no transition names it
+    EventId error_event;                   ///< "error.execution"; none in trees
+    EventId communication_event;           ///< "error.communication"; none in trees
+    SlotId event_slot;                     ///< `_event`, or none if no expression uses it
+    SlotId session_slot, processors_slot;  ///< `_sessionid`, `_ioprocessors`, likewise
+    bool has_eventless = false;            ///< whether any transition is eventless
+    bool has_messages = false;             ///< whether it sends with a delay, or invokes machines
+    bool has_parallel = false;             ///< whether more than one atomic state can be active
+    /// Whether a cycle without events can do something: `tick` is named, or an eventless guard
+    /// reads a sensor or the time.
+    bool needs_every_cycle = false;
+
+    /// Every machine that is invoked, directly or by one of these: of the outermost program only.
+    std::vector<Program> machines;
+    /// What this machine may compute as the source of one that it invokes, sorted by text.
+    std::vector<MachineSource> sources;
 
     const HostType* host = nullptr;  ///< what the leaves and sensors need; null: nothing
     std::vector<std::string> files;  ///< names for Origin::file; not compared

@@ -30,35 +30,120 @@ void get(ByteReader& in, Id<Tag>& id) {
     in.get(id.index);
 }
 
-void put(ByteWriter& out, const std::vector<Event>& events, std::uint32_t next) {
-    out.put(static_cast<std::uint32_t>(events.size()) - next);
-    for (std::size_t i = next; i < events.size(); ++i) {
-        const Event& event = events[i];
-        put(out, event.name);
-        out.put(event.unknown);
-        out.put(event.type);
-        out.put(event.data);
-        put(out, event.invoke);
-        out.put(event.activation);
+template <class Tag>
+void put(ByteWriter& out, const std::vector<Id<Tag>>& ids) {
+    out.put(static_cast<std::uint32_t>(ids.size()));
+    for (const Id<Tag> id : ids) {
+        put(out, id);
+    }
+}
+template <class Tag>
+void get(ByteReader& in, std::vector<Id<Tag>>& ids) {
+    std::uint32_t count = 0;
+    in.get(count);
+    while (in.ok() && count-- != 0) {
+        get(in, ids.emplace_back());
     }
 }
 
+void put(ByteWriter& out, const Event& event) {
+    put(out, event.name);
+    out.put(event.unknown);
+    out.put(event.type);
+    out.put(event.data);
+    put(out, event.invoke);
+    out.put(event.activation);
+    out.put(event.completes);
+    out.put(event.origin);
+    out.put(event.sendid);
+    out.put(event.invokeid);
+    out.put(event.raw);
+}
+void get(ByteReader& in, Event& event) {
+    get(in, event.name);
+    in.get(event.unknown);
+    in.get(event.type);
+    in.get(event.data);
+    get(in, event.invoke);
+    in.get(event.activation);
+    in.get(event.completes);
+    in.get(event.origin);
+    in.get(event.sendid);
+    in.get(event.invokeid);
+    in.get(event.raw);
+}
+
+void put(ByteWriter& out, const std::vector<Event>& events, std::uint32_t next) {
+    out.put(static_cast<std::uint32_t>(events.size()) - next);
+    for (std::size_t i = next; i < events.size(); ++i) {
+        put(out, events[i]);
+    }
+}
 void get(ByteReader& in, std::vector<Event>& events) {
     std::uint32_t count = 0;
     in.get(count);
     while (in.ok() && count-- != 0) {
-        Event event;
-        get(in, event.name);
-        in.get(event.unknown);
-        in.get(event.type);
-        in.get(event.data);
-        get(in, event.invoke);
-        in.get(event.activation);
-        events.push_back(std::move(event));
+        get(in, events.emplace_back());
     }
 }
 
-void write(ByteWriter& out, const Program& program, const State& state) {
+void put(ByteWriter& out, const std::vector<Delayed>& messages) {
+    out.put(static_cast<std::uint32_t>(messages.size()));
+    for (const Delayed& message : messages) {
+        out.put(message.due);
+        out.put(message.time);
+        out.put(message.target);
+        put(out, message.event);
+    }
+}
+void get(ByteReader& in, std::vector<Delayed>& messages) {
+    std::uint32_t count = 0;
+    in.get(count);
+    while (in.ok() && count-- != 0) {
+        Delayed& message = messages.emplace_back();
+        in.get(message.due);
+        in.get(message.time);
+        in.get(message.target);
+        get(in, message.event);
+    }
+}
+
+// Of the active states only the list is written: the last of them follows.
+void put(ByteWriter& out, const Session& session) {
+    out.put(session.id);
+    put(out, session.active);
+    put(out, session.pending);
+    put(out, session.invokes);
+    for (const std::vector<RowId>& stored : session.histories) {
+        put(out, stored);
+    }
+    put(out, session.internal, session.internal_next);
+    put(out, session.external, session.external_next);
+    put(out, session.delayed);
+    out.put(session.made_ids);
+    out.put(session.sessions);
+    out.put(session.clock);
+    put(out, session.final);
+}
+void get(ByteReader& in, Session& session) {
+    in.get(session.id);
+    get(in, session.active);
+    if (!session.active.empty()) { session.atom = session.active.back(); }
+    get(in, session.pending);
+    get(in, session.invokes);
+    for (std::vector<RowId>& stored : session.histories) {
+        get(in, stored);
+    }
+    get(in, session.internal);
+    get(in, session.external);
+    get(in, session.delayed);
+    in.get(session.made_ids);
+    in.get(session.sessions);
+    in.get(session.clock);
+    get(in, session.final);
+}
+
+void write(ByteWriter& out, const Program& outermost, const Program& program, const State& state) {
     out.put(state.tick);
     out.put(state.started);
     out.put(state.woken);
@@ -91,32 +176,79 @@ void write(ByteWriter& out, const Program& program, const State& state) {
     for (const std::uint64_t word : words) {
         out.put(word);
     }
-    const Session& session = state.session;
-    put(out, session.atom);
-    out.put(static_cast<std::uint32_t>(session.invokes.size()));
-    for (const RowId n : session.invokes) {
-        put(out, n);
+    put(out, state.session);
+    out.put(static_cast<std::uint32_t>(state.children.size()));
+    for (const Child& child : state.children) {
+        put(out, child.invoke);
+        put(out, child.machine);
+        write(out, outermost, program_of(outermost, child), child.state);
     }
-    put(out, session.internal, session.internal_next);
-    put(out, session.external, session.external_next);
-    out.put(session.clock);
-    put(out, session.final);
     out.put(state.fault.kind);
     put(out, state.fault.row);
     out.put(Value::text(state.fault.message));
 }
 
-/// Whether every number in a restored state names something of the program.
-bool is_possible(const Program& program, const State& state) {
-    const auto row = [&](RowId n) { return !n || n.index < program.rows.size(); };
-    const auto state_row = [&](RowId n) {
-        return !n || (row(n) && op_table()[program.at(n).op].group == OpGroup::state);
+bool is_state(const Program& program, RowId n) {
+    return n.index < program.rows.size() && op_table()[program.at(n).op].group == OpGroup::state;
+}
+
+/// Whether the active states are a legal configuration (SCXML 3.13): with each state the one around
+/// it, one child of a compound state, all of a parallel one.
+bool is_configuration(const Program& program, const State& state) {
+    const std::vector<RowId>& active = state.session.active;
+    std::vector<std::uint32_t> inside(program.rows.size());
+    for (std::size_t i = 0; i < active.size(); ++i) {
+        const RowId n = active[i];
+        if (n.index == 0 || !is_state(program, n) || (i != 0 && n <= active[i - 1])) {
+            return false;
+        }
+        ++inside[program.at(n).parent.index];
+    }
+    for (std::uint32_t i = 0; i < program.rows.size(); ++i) {
+        if (!is_state(program, {i})) { continue; }
+        const bool runs = i == 0 ? !active.empty() : state.status[i] == Status::running;
+        std::uint32_t states = program.rows[i].op == Op::parallel_state ? 0 : 1;
+        if (states == 0) {
+            for (const RowId child : children(program, {i})) {
+                states += is_state(program, child) ? 1 : 0;
+            }
+        }
+        if (program.state({i}).atomic || !runs) { states = 0; }
+        if (inside[i] != states) { return false; }
+    }
+    return std::all_of(active.begin(), active.end(),
+                       [&](RowId n) { return state.status[n.index] == Status::running; });
+}
+
+/// Whether every number in a restored session names something of the program.
+bool is_possible(const Program& program, const Session& session) {
+    const auto state_row = [&](RowId n) { return is_state(program, n); };
+    const auto invoke_row = [&](RowId n) {
+        return n.index < program.rows.size() && program.at(n).op == Op::invoke;
     };
-    const auto invoke_row = [&](RowId n) { return row(n) && n && program.at(n).op == Op::invoke; };
     const auto event = [&](const Event& e) {
         return e.name.index < program.events.size() && e.type <= Event::Type::platform &&
                (!e.invoke || invoke_row(e.invoke));
     };
+    const auto invoke_rows = [&](const std::vector<RowId>& rows) {
+        return std::all_of(rows.begin(), rows.end(), invoke_row);
+    };
+    return std::all_of(session.active.begin(), session.active.end(), state_row) &&
+           invoke_rows(session.pending) && invoke_rows(session.invokes) &&
+           std::all_of(session.internal.begin(), session.internal.end(), event) &&
+           std::all_of(session.external.begin(), session.external.end(), event) &&
+           std::all_of(session.delayed.begin(), session.delayed.end(),
+                       [&](const Delayed& d) { return event(d.event); }) &&
+           std::all_of(session.histories.begin(), session.histories.end(),
+                       [&](const std::vector<RowId>& stored) {
+                           return std::all_of(stored.begin(), stored.end(), state_row);
+                       }) &&
+           (!session.final || state_row(session.final));
+}
+
+/// The same for a whole restored state, without its children.
+bool is_possible(const Program& program, const State& state) {
+    const auto row = [&](RowId n) { return !n || n.index < program.rows.size(); };
     // what a control remembers is one of its children
     for (std::uint32_t i = 0; i < program.rows.size(); ++i) {
         if (op_table()[program.rows[i].op].group != OpGroup::control) { continue; }
@@ -125,7 +257,7 @@ bool is_possible(const Program& program, const State& state) {
             return false;
         }
     }
-    const Session& session = state.session;
+    const bool begun = program.is_machine() && state.started && !state.session.final;
     return std::all_of(state.status.begin(), state.status.end(),
                        [](Status s) { return s <= Status::skipped; }) &&
            std::all_of(state.entries.begin(), state.entries.end(),
@@ -134,71 +266,17 @@ bool is_possible(const Program& program, const State& state) {
                        [](const Value& queue) {
                            return queue.is(Value::Kind::undefined) || queue.is(Value::Kind::array);
                        }) &&
-           std::all_of(session.invokes.begin(), session.invokes.end(), invoke_row) &&
-           std::all_of(session.internal.begin(), session.internal.end(), event) &&
-           std::all_of(session.external.begin(), session.external.end(), event) &&
-           row(state.last_leaf) && row(state.fault.row) && state_row(session.atom) &&
-           state_row(session.final) && state.fault.kind <= Fault::Kind::node &&
-           (!program.is_machine() || !state.started || session.atom);
+           row(state.last_leaf) && row(state.fault.row) && state.fault.kind <= Fault::Kind::node &&
+           is_possible(program, state.session) &&
+           (state.fault || (is_configuration(program, state) &&
+                            begun == (!state.session.active.empty() && !state.session.final)));
 }
 
-/// Events not yet taken are what counts of a queue.
-bool same_queue(const std::vector<Event>& a, std::uint32_t a_next, const std::vector<Event>& b,
-                std::uint32_t b_next) {
-    return std::equal(a.begin() + a_next, a.end(), b.begin() + b_next, b.end());
-}
-
-}  // namespace
-
-State fresh_state(const Program& program) {
-    State state;
-    state.status.assign(program.rows.size(), Status::idle);
-    state.memory.assign(program.rows.size(), 0);
-    for (const Slot& slot : program.slots) {
-        state.slots.push_back(slot.initial);
-        state.entries.push_back(slot.type);
-    }
-    state.words.assign(program.words, 0);
-    state.queues.resize(program.queues);
-    if (program.counts_writes) {
-        // a value that is there from the beginning was written once
-        for (const Slot& slot : program.slots) {
-            state.writes.push_back(slot.initial.is(Value::Kind::undefined) ? 0 : 1);
-        }
-    }
-    state.temporaries.resize(program.code.temporaries);
-    state.inputs.resize(program.live_inputs.size());
-    state.derived.resize(program.derived.size());
-    state.leaves = program.prototypes;
-    return state;
-}
-
-bool same(const Program& program, const State& a, const State& b) {
-    bool members = true;
-    for_each_member(program, [&](std::size_t at, std::size_t size) {
-        members = members && std::memcmp(&a.leaves[at], &b.leaves[at], size) == 0;
-    });
-    const Session& s = a.session;
-    const Session& t = b.session;
-    return members && a.tick == b.tick && a.started == b.started && a.woken == b.woken &&
-           a.last_leaf == b.last_leaf && a.status == b.status && a.memory == b.memory &&
-           a.slots == b.slots && a.entries == b.entries && a.words == b.words &&
-           a.queues == b.queues && a.writes == b.writes && a.random == b.random &&
-           s.atom == t.atom && s.invokes == t.invokes &&
-           same_queue(s.internal, s.internal_next, t.internal, t.internal_next) &&
-           same_queue(s.external, s.external_next, t.external, t.external_next) &&
-           s.clock == t.clock && s.final == t.final && a.fault == b.fault;
-}
-
-std::vector<std::byte> save(const Program& program, const State& state) {
-    ByteWriter out;
-    write(out, program, state);
-    return std::move(out).bytes();
-}
-
-std::optional<State> restore(const Program& program, std::span<const std::byte> bytes) {
-    ByteReader in(bytes);
-    State state = fresh_state(program);
+/// Reads what write() has written of a session inside `around` others. False if it does not fit the
+/// program.
+bool read(ByteReader& in, const Program& outermost, const Program& program, State& state,
+          std::uint32_t around = 0) {
+    if (around == max_session_depth) { return false; }
     in.get(state.tick);
     in.get(state.started);
     in.get(state.woken);
@@ -233,23 +311,108 @@ std::optional<State> restore(const Program& program, std::span<const std::byte> 
         in.get(words.emplace_back());
     }
     state.random = Random::from_words(words);
-    Session& session = state.session;
-    get(in, session.atom);
+    get(in, state.session);
     in.get(count);
     while (in.ok() && count-- != 0) {
-        get(in, session.invokes.emplace_back());
+        Child& child = state.children.emplace_back();
+        get(in, child.invoke);
+        get(in, child.machine);
+        if (!in.ok() || child.machine.index >= outermost.machines.size() ||
+            child.invoke.index >= program.rows.size() ||
+            program.at(child.invoke).op != Op::invoke) {
+            return false;
+        }
+        const Program& machine = program_of(outermost, child);
+        child.state = fresh_state(machine);
+        if (!read(in, outermost, machine, child.state, around + 1)) { return false; }
     }
-    get(in, session.internal);
-    get(in, session.external);
-    in.get(session.clock);
-    get(in, session.final);
     in.get(state.fault.kind);
     get(in, state.fault.row);
     Value message;
     in.get(message);
-    if (!in.ok() || !in.at_end() || !message.is(Value::Kind::text)) { return {}; }
+    if (!in.ok() || !message.is(Value::Kind::text)) { return false; }
     state.fault.message = message.as_text();
-    if (!is_possible(program, state)) { return {}; }
+    return is_possible(program, state);
+}
+
+/// Events not yet taken are what counts of a queue.
+bool same_queue(const std::vector<Event>& a, std::uint32_t a_next, const std::vector<Event>& b,
+                std::uint32_t b_next) {
+    return std::equal(a.begin() + a_next, a.end(), b.begin() + b_next, b.end());
+}
+
+}  // namespace
+
+State fresh_state(const Program& program) {
+    State state;
+    state.status.assign(program.rows.size(), Status::idle);
+    state.memory.assign(program.rows.size(), 0);
+    for (const Slot& slot : program.slots) {
+        state.slots.push_back(slot.initial);
+        state.entries.push_back(slot.type);
+    }
+    state.words.assign(program.words, 0);
+    state.queues.resize(program.queues);
+    if (program.counts_writes) {
+        // a value that is there from the beginning was written once
+        for (const Slot& slot : program.slots) {
+            state.writes.push_back(slot.initial.is(Value::Kind::undefined) ? 0 : 1);
+        }
+    }
+    state.temporaries.resize(program.code.temporaries);
+    state.inputs.resize(program.live_inputs.size());
+    state.derived.resize(program.derived.size());
+    state.leaves = program.prototypes;
+    if (program.is_machine()) { state.work.marks.resize(program.rows.size()); }
+    state.work.loops.resize(program.loops.size());
+    state.session.histories.resize(program.histories.size());
+    return state;
+}
+
+namespace {
+
+bool same(const Session& s, const Session& t) {
+    return s.id == t.id && s.active == t.active && s.pending == t.pending &&
+           s.invokes == t.invokes && s.histories == t.histories &&
+           same_queue(s.internal, s.internal_next, t.internal, t.internal_next) &&
+           same_queue(s.external, s.external_next, t.external, t.external_next) &&
+           s.delayed == t.delayed && s.made_ids == t.made_ids && s.sessions == t.sessions &&
+           s.clock == t.clock && s.final == t.final;
+}
+
+bool same(const Program& outermost, const Program& program, const State& a, const State& b) {
+    bool members = true;
+    for_each_member(program, [&](std::size_t at, std::size_t size) {
+        members = members && std::memcmp(&a.leaves[at], &b.leaves[at], size) == 0;
+    });
+    return members && a.tick == b.tick && a.started == b.started && a.woken == b.woken &&
+           a.last_leaf == b.last_leaf && a.status == b.status && a.memory == b.memory &&
+           a.slots == b.slots && a.entries == b.entries && a.words == b.words &&
+           a.queues == b.queues && a.writes == b.writes && a.random == b.random &&
+           same(a.session, b.session) && a.fault == b.fault &&
+           std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(),
+                      [&](const Child& c, const Child& d) {
+                          return c.invoke == d.invoke && c.machine == d.machine &&
+                                 same(outermost, program_of(outermost, c), c.state, d.state);
+                      });
+}
+
+}  // namespace
+
+bool same(const Program& program, const State& a, const State& b) {
+    return same(program, program, a, b);
+}
+
+std::vector<std::byte> save(const Program& program, const State& state) {
+    ByteWriter out;
+    write(out, program, program, state);
+    return std::move(out).bytes();
+}
+
+std::optional<State> restore(const Program& program, std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    State state = fresh_state(program);
+    if (!read(in, program, program, state) || !in.at_end()) { return {}; }
     return state;
 }
 
@@ -258,7 +421,7 @@ std::optional<State> restore(const Program& program, std::span<const std::byte> 
 std::uint64_t hash(const Program& program, const State& state) {
     std::uint64_t h = 0xCBF29CE484222325;
     ByteWriter out(ByteWriter::Values::hashed);
-    write(out, program, state);
+    write(out, program, program, state);
     for (const std::byte byte : std::move(out).bytes()) {
         h = (h ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3;
     }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trellis {
@@ -46,23 +47,66 @@ struct Event {
     Value unknown = {};  ///< the whole name as text, if `name` is only its longest known prefix
     Type type = Type::internal;
     Value data = {};
-    RowId invoke = {};             ///< done.invoke: the row that ended; else none
-    std::uint32_t activation = 0;  ///< done.invoke: which activation of it
+    RowId invoke = {};             ///< the row whose activity sent it; else none
+    std::uint32_t activation = 0;  ///< of `invoke`
+    bool completes = false;        ///< done.invoke: it counts only for that activation
+    std::uint32_t origin = 0;      ///< Session::id of its sender; 0: no session
+    Value sendid = {}, invokeid = {}, raw = {};  ///< members of _event (SCXML 5.10.1)
 
     friend bool operator==(const Event&, const Event&) = default;
 };
 
+/// A message that waits for its time.
+struct Delayed {
+    std::uint64_t due = 0;  ///< State::tick + 1 of the cycle that delivers it
+    double time = 0.0;      ///< s: of two that are due in one cycle, the earlier comes first
+    Value target = {};      ///< as in <send>; undefined: the session itself
+    Event event = {};
+
+    friend bool operator==(const Delayed&, const Delayed&) = default;
+};
+
 /// What a running machine has besides the statuses of its rows.
 struct Session {
-    RowId atom;                  ///< the active atomic or final state; none before the start
+    std::uint32_t id = 1;        ///< _sessionid is "s" and this; the outermost one is 1
+    std::vector<RowId> active;   ///< the configuration: its states, in document order
+    RowId atom;                  ///< the last of them, an atomic state; none before the start
+    std::vector<RowId> pending;  ///< invoke rows of states entered in this macrostep
     std::vector<RowId> invokes;  ///< running invoke rows, in document order
+    /// By Program::histories: the states stored; none if its state was never left.
+    std::vector<std::vector<RowId>> histories;
     std::vector<Event> internal, external;
     /// The first event of each that is not yet taken; a queue without such events is emptied.
     std::uint32_t internal_next = 0, external_next = 0;
+    std::vector<Delayed> delayed;  ///< in the order of delivery
+    std::uint32_t made_ids = 0;    ///< ids made for <send idlocation>
+    std::uint32_t sessions = 1;    ///< the outermost one: the last Session::id given
     std::uint32_t clock = 0;  ///< cycles in which activities ran, the current one once they begin
     RowId final;              ///< the top-level final state that ended it; else none
 
     friend bool operator==(const Session&, const Session&) = default;
+};
+
+struct Child;
+
+/// Buffers of a step, empty between steps but for their capacity: not part of what a state is.
+struct Workspace {
+    /// A transition that is to be taken, and the row below which it leaves.
+    struct Choice {
+        TransitionId id;
+        RowId domain;
+    };
+    std::vector<Choice> chosen;
+    std::vector<RowId> entering;
+    std::vector<std::uint8_t> marks;  ///< by row: what is to happen to it (exec/configuration.cpp)
+    std::vector<std::pair<RowId, BlockId>> history_content;  ///< of default ways, and its state
+    std::vector<Value> loops;                                ///< by Program::loops: the array
+    /// A message whose time has come, and the session that sent it.
+    struct Due {
+        std::uint32_t session;
+        Delayed message;
+    };
+    std::vector<Due> due;
 };
 
 struct State {
@@ -90,11 +134,28 @@ struct State {
         double value = 0.0;
     };
     std::vector<Memo> derived;
+    Workspace work;
     std::vector<std::byte> leaves;  ///< leaf structs, back to back: see LeafCall::offset
     Random random;                  ///< the generator of this run
     Session session;
+    std::vector<Child> children;  ///< invoked machines that run, in document order
     Fault fault;
 };
+
+/// Machines that invoke machines nest at most this deep.
+inline constexpr std::uint32_t max_session_depth = 64;
+
+/// A machine that runs because a state invokes it.
+struct Child {
+    RowId invoke;  ///< of the program that invokes it
+    MachineId machine;
+    State state;
+};
+
+/// The program of an invoked machine; `outermost` is the one that is stepped.
+inline const Program& program_of(const Program& outermost, const Child& child) {
+    return outermost.machines[child.machine.index];
+}
 
 /// A State for `program` in which nothing is active. Seed `random` before the first step if the
 /// behaviour draws numbers; unseeded it is seeded with 0 by the first draw.

@@ -11,6 +11,8 @@
 
 namespace trellis {
 
+struct Program;
+
 struct TraceEvent {
     enum class Kind : std::uint8_t {
         status,      ///< the stored status of `row` went from `from` to `to`
@@ -31,6 +33,10 @@ struct TraceEvent {
     Status to = Status::idle;
     TransitionId transition = {};
     EventId event = {};
+    /// Of which machine: whose rows, transitions and events these are. Null: of the program that is
+    /// stepped; else of one of its Program::machines, running as session `session`.
+    const Program* machine = nullptr;
+    std::uint32_t session = 1;
     std::string_view text = {};  ///< valid during the call of TraceSink::on
 };
 

@@ -1,20 +1,22 @@
 // How a machine runs one control cycle: SCXML's Appendix D on rows, then the activities of the
 // active states (MACHINES, "How a machine runs on a robot"). Entering and leaving states is in
-// configuration.cpp. Covered by tests/exec/machine_test.cpp.
+// configuration.cpp. Covered by tests/exec/machine_test.cpp and machine_reference_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "exec/evaluate_rules.h"
 #include "exec/stepper.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trellis {
 
 void Stepper::start_machine() {
     const RowId root{0};
+    const StateInfo& machine = p_.state(root);
     s_.started = true;
     store(root, Status::running);
-    run_blocks(p_.state(root).first_entry, p_.state(root).entry_count);
-    take_initial(root);
+    run_blocks(machine.first_entry, machine.entry_count);
+    want_targets(p_.transitions[machine.initial.index], root);
+    enter_wanted();
     settle();
 }
 
@@ -22,15 +24,14 @@ void Stepper::start_machine() {
 Status Stepper::tick_machine(RowId m) {
     Session& session = s_.session;
     if (!s_.started) { start_machine(); }
-    take_events();
+    deliver_due();
+    come_to_rest();
     if (s_.fault) { return Status::idle; }
     if (session.final) {
         leave_all();
         store(m, Status::idle);
         return p_.name(session.final) == "failure" ? Status::failure : Status::success;
     }
-    ++session.clock;
-    if (context_) { context_->cycle = session.clock; }
     tick_invokes();
     return s_.fault ? Status::idle : Status::running;
 }
@@ -48,10 +49,22 @@ Status Stepper::finish_quiet_cycle(Status status) {
     return finish_step(s_.fault ? Status::idle : Status::running);
 }
 
-void Stepper::take_events() {
+// Everything that this machine and those it invokes can do before time goes on. A machine that has
+// not begun this cycle begins it with what was waiting and with its `tick`.
+void Stepper::come_to_rest() {
+    const bool begins = parent_ == nullptr || s_.tick != now();
+    if (begins) { take_waiting(); }
+    if (parent_ != nullptr) { s_.tick = now(); }
+    take_external();
+    while (running() && !s_.children.empty() && run_children()) {
+        take_external();
+    }
+}
+
+// What was waiting comes before this cycle's tick, what arises now comes after it.
+void Stepper::take_waiting() {
     Session& session = s_.session;
     if (!at_rest()) { settle(); }
-    // what was waiting comes before this cycle's tick, what arises now comes after it
     for (std::size_t waiting = session.external.size() - session.external_next;
          waiting != 0 && running(); --waiting) {
         take_next_external();
@@ -61,7 +74,10 @@ void Stepper::take_events() {
         microstep(p_.tick_event);
         if (!at_rest()) { settle(); }
     }
-    while (!session.external.empty() && running()) {
+}
+
+void Stepper::take_external() {
+    while (!s_.session.external.empty() && running()) {
         take_next_external();
     }
 }
@@ -73,26 +89,31 @@ void Stepper::take_next_external() {
         session.external.clear();
         session.external_next = 0;
     }
+    const bool is_current = event.invoke && event.activation == memory_[event.invoke.index];
     // the end of an activity whose state was left and entered again is nobody's business
-    if (event.invoke && event.activation != memory_[event.invoke.index]) { return; }
+    if (event.completes && !is_current) { return; }
     bind(event);
+    if (is_current) {
+        const InvokeInfo& invoke = p_.invokes[rows_[event.invoke.index].arg];
+        const bool active = status_[rows_[event.invoke.index].parent.index] == Status::running;
+        if (invoke.finalize && active) { run_block(invoke.finalize); }
+    }
+    if (!s_.children.empty()) { forward(event); }
     microstep(event.name);
     settle();
 }
 
-// Eventless transitions and internal events, until neither is left: the rest of a macrostep. Each
-// round costs budget, because an eventless transition whose guard fails raises errors for ever.
+// The rest of a macrostep: eventless transitions and internal events, until neither is left; then
+// what the states that were entered and not left invoke (SCXML 3.13, 6.4).
 void Stepper::settle() {
     Session& session = s_.session;
-    while (running()) {
-        if (--budget_ == 0) {
-            fault(Fault::Kind::livelock, session.atom,
-                  "this machine does not come to rest: too many events and transitions in one "
-                  "cycle");
-            return;
-        }
+    while (running() && spend(1)) {
         if (p_.has_eventless && microstep({})) { continue; }
-        if (session.internal.empty()) { break; }
+        if (session.internal.empty()) {
+            if (session.pending.empty()) { break; }
+            start_invokes();
+            continue;
+        }
         const Event event = std::move(session.internal[session.internal_next++]);
         if (session.internal_next == session.internal.size()) {
             session.internal.clear();
@@ -103,6 +124,24 @@ void Stepper::settle() {
     }
 }
 
+// Takes `steps` from the budget of this cycle; false, and a fault that names the loop, if it is
+// used up. An eventless transition whose guard fails raises errors for ever, for example.
+bool Stepper::spend(std::uint32_t steps) {
+    if (budget_ > steps) {
+        budget_ -= steps;
+        return true;
+    }
+    std::string names;
+    for (const RowId n : last_sources_) {
+        const char* const joint = names.empty() ? ", again and again from " : ", ";
+        names += joint + ('"' + std::string(p_.name(n)) + '"');
+    }
+    fault(Fault::Kind::livelock, s_.session.atom,
+          "this machine does not come to rest: too many events and transitions in one cycle" +
+              names);
+    return false;
+}
+
 // Makes an event what `_event` means until the next one (SCXML 5.10.1). Written in place, so that
 // events without data allocate nothing.
 void Stepper::bind(const Event& event) {
@@ -110,37 +149,103 @@ void Stepper::bind(const Event& event) {
     if (!p_.event_slot) { return; }
     static constexpr std::string_view types[] = {"internal", "external", "platform"};
     Value& bound = s_.slots[p_.event_slot.index];
-    if (!bound.is(Value::Kind::object)) {
-        bound.set_object();
-        for (const std::string_view unset : {"name", "type", "sendid", "origin", "origintype"}) {
-            bound.set_member(unset, {});
-        }
-    }
+    if (!bound.is(Value::Kind::object)) { bound.set_object(); }
     bound.flat_member("name").set_text(event.unknown.is(Value::Kind::text)
                                            ? event.unknown.as_text()
                                            : p_.events[event.name.index].text);
     bound.flat_member("type").set_text(types[static_cast<std::size_t>(event.type)]);
-    if (event.invoke) {
-        const InvokeInfo& invoke = p_.invokes[rows_[event.invoke.index].arg];
-        bound.flat_member("invokeid").set_text(invoke.id);
-        Value data = Value::object();
-        data.set_member("status",
-                        Value::text(event.name == invoke.done_success ? "success" : "failure"));
-        bound.set_member("data", std::move(data));
+    bound.flat_member("sendid") = event.sendid;
+    if (event.origin != 0) {
+        bound.flat_member("origin").set_text(session_address(event.origin));
+        bound.flat_member("origintype").set_text(event_processor);
     } else {
-        bound.flat_member("invokeid").set_undefined();
-        bound.set_member("data", event.data);
+        bound.flat_member("origin").set_undefined();
+        bound.flat_member("origintype").set_undefined();
     }
+    bound.flat_member("invokeid") = event.invokeid;
+    bound.set_member("data", event.data);
+    if (event.invoke) { bind_invoke(event, bound); }
+    bound.flat_member("raw") = event.raw;
+}
+
+// What an event of an activity says besides: which one, and how a leaf or tree has ended.
+void Stepper::bind_invoke(const Event& event, Value& bound) {
+    const InvokeInfo& invoke = p_.invokes[rows_[event.invoke.index].arg];
+    bound.flat_member("invokeid").set_text(invoke.id);
+    if (!event.completes || event.name == invoke.done) { return; }
+    Value data = Value::object();
+    data.set_member("status",
+                    Value::text(event.name == invoke.done_success ? "success" : "failure"));
+    bound.set_member("data", std::move(data));
 }
 
 // Selection ---------------------------------------------------------------------------------------
 
-// Takes the transition that the event (none: no event) enables; false if there is none.
+// Takes the transitions that the event (none: no event) enables; false if there are none.
 bool Stepper::microstep(EventId event) {
-    const TransitionId chosen = enabled(s_.session.atom, event);
-    if (!chosen) { return false; }
-    take(p_.transitions[chosen.index], chosen);
+    if (!p_.has_parallel) {
+        const TransitionId chosen = enabled(s_.session.atom, event);
+        if (!chosen) { return false; }
+        take(chosen);
+        return true;
+    }
+    if (!spend(static_cast<std::uint32_t>(s_.session.active.size() / 16))) { return false; }
+    select(event);
+    if (s_.work.chosen.empty()) { return false; }
+    take_chosen();
     return true;
+}
+
+// For each active atomic state, in document order, the first transition enabled from there
+// outwards; then without those that others preempt.
+void Stepper::select(EventId event) {
+    std::vector<Workspace::Choice>& chosen = s_.work.chosen;
+    chosen.clear();
+    for (const RowId n : s_.session.active) {
+        if (!p_.state(n).atomic) { continue; }
+        const TransitionId id = enabled(n, event);
+        if (!id) { continue; }
+        const Transition& transition = p_.transitions[id.index];
+        // one of a state around it may have been chosen from another region
+        const auto same = [id](const Workspace::Choice& c) { return c.id == id; };
+        if (transition.source != n && std::any_of(chosen.rbegin(), chosen.rend(), same)) {
+            continue;
+        }
+        chosen.push_back({id, domain_of(transition)});
+    }
+    if (chosen.size() > 1) { remove_conflicts(); }
+}
+
+// Two transitions conflict if they leave a common state: if one's domain lies in the other's
+// (removeConflictingTransitions). Domains of those kept are disjoint and in document order, so a
+// transition conflicts with the last of them or with none. Targetless ones leave nothing.
+void Stepper::remove_conflicts() {
+    std::vector<Workspace::Choice>& chosen = s_.work.chosen;
+    const auto source = [this](const Workspace::Choice& c) {
+        return p_.transitions[c.id.index].source;
+    };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const Workspace::Choice choice = chosen[i];
+        std::size_t first = kept;  // of those that may conflict
+        bool preempted = false;
+        for (; choice.domain && first != 0 && !preempted; --first) {
+            const Workspace::Choice& other = chosen[first - 1];
+            if (!other.domain) { continue; }
+            if (!overlap(choice.domain, other.domain)) { break; }
+            preempted =
+                source(choice) == source(other) || !p_.within(source(choice), source(other));
+        }
+        if (preempted) { continue; }
+        const auto conflicts = [&](const Workspace::Choice& other) {
+            return choice.domain && other.domain && overlap(choice.domain, other.domain);
+        };
+        const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(kept);
+        const auto begin = chosen.begin() + static_cast<std::ptrdiff_t>(first);
+        kept = static_cast<std::size_t>(std::remove_if(begin, end, conflicts) - chosen.begin());
+        chosen[kept++] = choice;
+    }
+    chosen.resize(kept);
 }
 
 // The first enabled transition from the atomic state outwards, in document order (SCXML 3.13).
@@ -184,134 +289,49 @@ bool Stepper::is_named(const Transition& transition, EventId event) const {
     return false;
 }
 
-// Leaves, does, enters: in this order over the whole set (SCXML 3.13).
-void Stepper::take(const Transition& transition, TransitionId id) {
-    trace({.kind = TraceEvent::Kind::transition, .row = transition.source, .transition = id});
-    if (transition.domain) { leave_below(transition.domain); }
+// Taking transitions ------------------------------------------------------------------------------
+
+// Leaves, does, enters (SCXML 3.13).
+void Stepper::take(TransitionId id) {
+    const Transition& transition = p_.transitions[id.index];
+    note(id);
+    const RowId domain = domain_of(transition);
+    if (domain) { leave_below(domain); }
     if (transition.block) { run_block(transition.block); }
-    enter_targets(transition);
-}
-
-// Executable content ------------------------------------------------------------------------------
-
-void Stepper::run_blocks(std::uint32_t first, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-        run_block(p_.blocks[first + i]);
+    if (domain) {
+        want_targets(transition, domain);
+        enter_wanted();
     }
 }
 
-// Runs a block; an error in it raises error.execution and ends it, and only it (SCXML 4.1).
-void Stepper::run_block(BlockId block) {
-    for (std::uint32_t i = block.index;; ++i) {
-        const Action& action = p_.actions[i];
-        switch (action.kind) {
-        case Action::Kind::end: return;
-        case Action::Kind::run:
-            if (!execute(p_.code, action.code, context())) { return raise_error({0}); }
-            break;
-        case Action::Kind::assign:
-            if (!assign(action)) { return raise_error({0}); }
-            break;
-        case Action::Kind::initialise:
-            if (!initialise(action)) { return raise_error({0}); }
-            break;
-        case Action::Kind::raise: s_.session.internal.push_back({.name = action.event}); break;
-        case Action::Kind::log:
-            if (!log(action)) { return raise_error({0}); }
-            break;
-        case Action::Kind::unless:
-            if (!holds({0}, action.code)) { i = action.go_to.index - 1; }
-            break;
-        case Action::Kind::jump: i = action.go_to.index - 1; break;
-        }
+// The same over a whole set: leaves all, does all, enters all.
+void Stepper::take_chosen() {
+    const std::vector<Workspace::Choice>& chosen = s_.work.chosen;
+    for (const Workspace::Choice& choice : chosen) {
+        note(choice.id);
     }
-}
-
-// To a variable directly; to a place below one through the temporary that its code stores.
-bool Stepper::assign(const Action& action) {
-    if (action.slot) {
-        return evaluate(p_.code, action.code, context(), s_.slots[action.slot.index]);
+    for (std::size_t i = chosen.size(); i != 0; --i) {
+        if (chosen[i - 1].domain) { leave_below(chosen[i - 1].domain); }
     }
-    return evaluate(p_.code, action.code, context(), s_.temporaries[stored_temporary]) &&
-           execute(p_.code, action.store, context());
-}
-
-// Gives a variable its first value, once, unless the host has given it one (SCXML 5.3).
-bool Stepper::initialise(const Action& action) {
-    EntryType& entry = s_.entries[action.slot.index];
-    if (entry != EntryType::missing) { return true; }
-    entry = EntryType::any;
-    Value& variable = s_.slots[action.slot.index];
-    if (evaluate(p_.code, action.code, context(), variable)) { return true; }
-    variable.set_undefined();
-    return false;
-}
-
-bool Stepper::log(const Action& action) {
-    Value value;
-    if (action.code && !evaluate(p_.code, action.code, context(), value)) { return false; }
-    if (trace_ == nullptr) { return true; }
-    std::string text = p_.labels[action.label];
-    if (action.code) {
-        if (!text.empty()) { text += ": "; }
-        append_text(text, value);
+    for (const Workspace::Choice& choice : chosen) {
+        const BlockId block = p_.transitions[choice.id.index].block;
+        if (block) { run_block(block); }
     }
-    trace({.kind = TraceEvent::Kind::log, .row = s_.session.atom, .text = text});
-    return true;
-}
-
-void Stepper::raise_error(RowId n) {
-    s_.session.internal.push_back({.name = p_.error_event, .type = Event::Type::platform});
-    if (trace_ == nullptr) { return; }
-    const std::string text = evaluation_error();
-    trace({.kind = TraceEvent::Kind::error, .row = n, .text = text});
-}
-
-// Activities --------------------------------------------------------------------------------------
-
-// Ticks what runs in the active states, in document order.
-void Stepper::tick_invokes() {
-    bool ended = false;
-    for (const RowId n : s_.session.invokes) {
-        const RowId body = first_child(n);
-        if (rows_[body.index].op == Op::tree) { pass_params(p_.invokes[rows_[n.index].arg]); }
-        const Status status =
-            status_[body.index] == Status::running ? tick_again(body) : tick(body);
-        if (status == Status::idle) { return; }
-        ended = ended || is_done(status);
+    for (const Workspace::Choice& choice : chosen) {
+        if (choice.domain) { want_targets(p_.transitions[choice.id.index], choice.domain); }
     }
-    if (ended) { end_invokes(); }
+    enter_wanted();
 }
 
-void Stepper::end_invokes() {
-    for (const RowId n : s_.session.invokes) {
-        if (is_done(status_[first_child(n).index])) { end_invoke(n); }
-    }
-    std::erase_if(s_.session.invokes, [&](RowId n) { return status_[n.index] != Status::running; });
-}
-
-// What ends is told to the next cycle.
-void Stepper::end_invoke(RowId n) {
-    const Status status = status_[first_child(n).index];
-    reset(first_child(n));
-    store(n, status);
-    const InvokeInfo& invoke = p_.invokes[rows_[n.index].arg];
-    const bool success = status == Status::success;
-    s_.session.external.push_back({.name = success ? invoke.done_success : invoke.done_failure,
-                                   .type = Event::Type::external,
-                                   .invoke = n,
-                                   .activation = memory_[n.index]});
-}
-
-// Gives a tree the current values of its parameters; one that fails keeps its last value.
-void Stepper::pass_params(const InvokeInfo& invoke) {
-    for (std::uint32_t i = 0; i < invoke.param_count; ++i) {
-        const InvokeParam& param = p_.params[invoke.first_param + i];
-        if (evaluate(p_.code, param.code, context(), s_.slots[param.slot.index])) {
-            s_.entries[param.slot.index] = EntryType::any;
-        } else {
-            raise_error({0});
-        }
+// Tells who listens, and remembers where the last transitions came from in case they never end.
+void Stepper::note(TransitionId id) {
+    const RowId source = p_.transitions[id.index].source;
+    trace({.kind = TraceEvent::Kind::transition, .row = source, .transition = id});
+    constexpr std::uint32_t nearly_used_up = 64;
+    constexpr std::size_t most_names = 6;
+    if (budget_ > nearly_used_up || last_sources_.size() == most_names) { return; }
+    if (std::find(last_sources_.begin(), last_sources_.end(), source) == last_sources_.end()) {
+        last_sources_.push_back(source);
     }
 }
 

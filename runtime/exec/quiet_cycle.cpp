@@ -10,6 +10,12 @@ namespace trellis {
 
 namespace {
 
+// Whether machines run that this one has invoked, or a message is due.
+bool has_business(const State& state) {
+    const std::vector<Delayed>& delayed = state.session.delayed;
+    return !state.children.empty() || (!delayed.empty() && delayed.front().due <= state.tick + 1);
+}
+
 bool any_guard_may_hold(const FormView& view, const StateInfo& atom) {
     const Condition* const first = view.program.quiet_guards.data() + atom.first_guard;
     for (const Condition* guard = first; guard != first + atom.guard_count; ++guard) {
@@ -37,7 +43,8 @@ QuietCycle quiet_cycle(const Program& program, State& state, HostRef host,
                        const StepOptions& options) {
     Session& session = state.session;
     if (options.trace != nullptr || program.event_slot || !session.atom ||
-        session.invokes.size() != 1 || !session.external.empty() || !session.internal.empty()) {
+        session.invokes.size() != 1 || !session.external.empty() || !session.internal.empty() ||
+        program.has_parallel || (program.has_messages && has_business(state))) {
         return {};
     }
     const Row* const rows = program.rows.data();

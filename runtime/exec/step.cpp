@@ -5,7 +5,9 @@
 #include "exec/quiet_cycle.h"
 #include "exec/stepper.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace trellis {
 
@@ -44,27 +46,59 @@ void halt(const Program& program, State& state, HostRef host, const StepOptions&
     Stepper(program, state, host, options).halt_root();
 }
 
-// The name is looked up token by token, so an unknown one ends at its longest known prefix.
 void send(const Program& program, State& state, std::string_view event, Value data) {
     if (!program.is_machine()) { return; }
-    EventId name{0};
-    for (EventId at{1}; at < program.events[0].end;) {
-        const EventName& known = program.events[at.index];
-        const bool prefix = event.starts_with(known.text) &&
-                            (event.size() == known.text.size() || event[known.text.size()] == '.');
-        if (prefix) {
-            name = at;
-            at = {at.index + 1};
-        } else {
-            at = known.end;
-        }
-        if (at >= program.events[name.index].end) { break; }
+    Event named = event_named(program, event);
+    named.data = std::move(data);
+    state.session.external.push_back(std::move(named));
+}
+
+namespace {
+
+/// Whether a session does something in every cycle, or in the next one.
+bool is_busy(const Program& program, const State& state) {
+    const Session& session = state.session;
+    const bool has_activity =
+        std::any_of(session.invokes.begin(), session.invokes.end(),
+                    [&](RowId n) { return program.at(n).end.index != n.index + 1; });
+    return !state.started || program.needs_every_cycle || has_activity ||
+           !session.external.empty() || !session.internal.empty() || !session.pending.empty();
+}
+
+/// The cycles before the first in which this session or one inside it does something; `never` if
+/// there is none.
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t idle_cycles(const Program& outermost, const Program& program, const State& state,
+                          std::uint64_t next) {
+    if (is_busy(program, state)) { return 0; }
+    std::uint64_t idle = never;
+    if (!state.session.delayed.empty()) {
+        const std::uint64_t due = state.session.delayed.front().due;
+        idle = due > next ? due - next : 0;
     }
-    const bool known = program.events[name.index].text == event;
-    state.session.external.push_back({.name = name,
-                                      .unknown = known ? Value() : Value::text(event),
-                                      .type = Event::Type::external,
-                                      .data = std::move(data)});
+    for (const Child& child : state.children) {
+        idle =
+            std::min(idle, idle_cycles(outermost, program_of(outermost, child), child.state, next));
+    }
+    return idle;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> idle_cycles(const Program& program, const State& state) {
+    if (!program.is_machine()) { return 0; }
+    if (state.session.final) { return {}; }
+    const std::uint64_t idle = idle_cycles(program, program, state, state.tick + 1);
+    return idle == never ? std::nullopt : std::optional(idle);
+}
+
+void skip_cycles(State& state, std::uint64_t cycles) {
+    state.tick += cycles;
+    state.session.clock += static_cast<std::uint32_t>(cycles);
+    for (Child& child : state.children) {
+        skip_cycles(child.state, cycles);
+    }
 }
 
 std::string describe_fault(const Program& program, const State& state) {

@@ -11,6 +11,7 @@
 #include "core/trace.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,13 @@ Status step(const Program& program, State& state, HostRef host, const StepOption
 /// Puts an event into the external queue of a machine, as if sent by the host. An unknown name
 /// matches what its longest known prefix matches. Nothing to do for a tree.
 void send(const Program& program, State& state, std::string_view event, Value data = {});
+
+/// The number of cycles that can pass before one in which a machine does something: 0 if the next
+/// one may; nothing if none will, without an event from the host. For hosts without a robot.
+std::optional<std::uint64_t> idle_cycles(const Program& program, const State& state);
+
+/// Lets so many cycles pass as if they had been stepped: at most idle_cycles().
+void skip_cycles(State& state, std::uint64_t cycles);
 
 /// Halts everything: leaves that run are told, states are left (their onexit content runs).
 void halt(const Program& program, State& state, HostRef host, const StepOptions& options = {});

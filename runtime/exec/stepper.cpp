@@ -21,7 +21,7 @@ void Stepper::fill_context() {
     context.cycle = s_.session.clock;
     context.dt = tick_.dt;
     context.host = static_cast<const std::byte*>(host_);
-    context.random = &s_.random;
+    context.random = tick_.random;
     context.world = this;
     context.in_state = [](const void* stepper, RowId n) {
         return static_cast<const Stepper*>(stepper)->status_[n.index] == Status::running;
@@ -231,6 +231,8 @@ void Stepper::halt_node(RowId n) {
     case Op::script:
     case Op::script_condition:
     case Op::state:
+    case Op::parallel_state:
+    case Op::history:
     case Op::final: break;
     }
     if (status_[n.index] != Status::idle) { store(n, Status::idle); }
@@ -255,7 +257,7 @@ void Stepper::halt_root() {
     s_.resume = {};
     halt_node({0});
     if (p_.is_machine()) {
-        s_.session = {};
+        s_.session = fresh_state(p_).session;
         s_.started = false;
         return;
     }

@@ -1,7 +1,8 @@
 // The interpreter behind step(): one call's view of a program and the state it may change. Private
 // to runtime/exec. The rules are spread over tree_rules.cpp, tree_controls.cpp, tree_decorators.cpp
-// and tree_leaves.cpp (trees), machine_rules.cpp and configuration.cpp (machines), leaves.cpp
-// (leaves) and stepper.cpp (what all share).
+// and tree_leaves.cpp (trees); machine_rules.cpp, configuration.cpp, content.cpp, messages.cpp and
+// activities.cpp (machines); leaves.cpp (leaves) and stepper.cpp (what all share). A machine that
+// another one invokes has a Stepper of its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,6 +20,29 @@
 #include <string_view>
 
 namespace trellis {
+
+/// More events than this may not wait in one queue: an endless machine ends before the memory does.
+inline constexpr std::size_t max_waiting_events = 100'000;
+inline std::string too_many_events() {
+    return "this machine does not come to rest: more than " + std::to_string(max_waiting_events) +
+           " events wait";
+}
+
+/// The event processor that every machine has, under its long name (SCXML C.1).
+inline constexpr std::string_view event_processor =
+    "http://www.w3.org/TR/scxml/#SCXMLEventProcessor";
+/// Targets of messages that begin so name a session by its number.
+inline constexpr std::string_view session_prefix = "#_scxml_s";
+std::string session_address(std::uint32_t id);
+
+/// An external event of that name, as the program numbers names.
+Event event_named(const Program& program, std::string_view name);
+
+/// Whether an <invoke> of that type is a machine (SCXML 6.4.1).
+inline bool is_machine_type(std::string_view type) {
+    return type.empty() || type == "scxml" || type == "http://www.w3.org/TR/scxml/" ||
+           type == "http://www.w3.org/TR/scxml";
+}
 
 // What State::memory holds, by kind of row:
 //   sequences, fallbacks   the child to go on at, 0 for the first; top bit: a child was not skipped
@@ -43,11 +67,14 @@ public:
     Stepper(const Program& program, State& state, HostRef host, const StepOptions& options)
         : p_(program), s_(state), rows_(program.rows.data()), status_(state.status.data()),
           memory_(state.memory.data()), host_(host.object), trace_(options.trace),
-          while_woken_(options.while_woken),
+          outermost_(*this), while_woken_(options.while_woken),
           budget_(options.budget != 0
                       ? options.budget
                       : 100'000 + 64 * static_cast<std::uint32_t>(state.status.size())),
           tick_{state.tick, options.dt, &state.random} {}
+
+    /// For a machine that the one of `parent` invokes: on its time, with its budget.
+    Stepper(Stepper& parent, Child& child);
 
     /// One tick of the whole program: see step().
     Status step_root();
@@ -205,41 +232,115 @@ private:
 
     Status tick_machine(RowId m);
     Status finish_step(Status status);
-    void take_events();
+    void come_to_rest();
+    void take_waiting();
+    void take_external();
     void take_next_external();
     void settle();
+    bool spend(std::uint32_t steps);
     void bind(const Event& event);
+    void bind_invoke(const Event& event, Value& bound);
     bool microstep(EventId event);
     TransitionId enabled(RowId atom, EventId event);
     bool is_named(const Transition& transition, EventId event) const;
-    void take(const Transition& transition, TransitionId id);
+    void select(EventId event);
+    void remove_conflicts();
+    bool overlap(RowId a, RowId b) const { return p_.within(a, b) || p_.within(b, a); }
+    void take(TransitionId id);
+    void take_chosen();
+    void note(TransitionId id);
+    /// Whether the machine has neither reached its end nor failed.
+    bool running() const { return !s_.session.final && !s_.fault; }
+    /// Whether nothing is left to do before the next external event.
+    bool at_rest() const {
+        return !p_.has_eventless && s_.session.internal.empty() && s_.session.pending.empty();
+    }
+
+    // The active states: configuration.cpp -------------------------------------------------------
+
+    /// A part of Session::active: [first, last).
+    struct Slice {
+        std::size_t first, last;
+    };
+    Slice active_below(RowId domain) const;
+    RowId domain_of(const Transition& transition) const;
+    template <class Visit>
+    void visit_targets(const Transition& transition, Visit visit) const;
+    void leave_below(RowId domain);
+    void leave_all() { leave_below({0}); }
+    void record_histories(Slice leaving);
+    void leave(RowId n);
+    void want_targets(const Transition& transition, RowId top);
+    void want(RowId n, RowId top);
+    void want_below(RowId n);
+    void enter_wanted();
+    void activate(const std::vector<RowId>& entering);
+    void enter(RowId n, std::uint8_t mark);
+    void finish(RowId n);
+    bool is_finished(RowId n) const;
+    bool is_compound(RowId n) const {
+        return rows_[n.index].op == Op::machine ||
+               (rows_[n.index].op == Op::state && !p_.state(n).atomic);
+    }
+    /// The <invoke> rows of a state: they come before its states.
+    Children invokes_of(RowId n) const { return children(p_, n).first(p_.state(n).invokes); }
+
+    // Executable content: content.cpp ------------------------------------------------------------
+
     void run_blocks(std::uint32_t first, std::uint32_t count);
-    void run_block(BlockId block);
+    bool run_block(BlockId block);
+    bool run_action(const Action& action);
     bool assign(const Action& action);
     bool initialise(const Action& action);
+    bool for_each(const Action& action, BlockId body);
     bool log(const Action& action);
+    bool write(const Place& place, const Value& value);
+    bool carry(PayloadId payload, Event& event);
     void raise_error(RowId n);
+    void raise_error(EventId error, std::string_view why, Value sendid = {});
+    void raise(Event event);
+
+    // Messages between sessions: messages.cpp ----------------------------------------------------
+
+    bool send(const Send& send);
+    bool fill(const Send& send, Event& event, std::string& target, double& seconds);
+    bool cancel(const Action& action);
+    bool text_of(CodeId code, std::string& text);
+    bool text_of(const LiveText& live, std::string& text);
+    void delay(double seconds, std::string_view target, Event event);
+    bool deliver(std::string_view target, Event event);
+    bool deliver_to_parent(Event event);
+    void deliver_due();
+    void collect_due(std::vector<Workspace::Due>& due);
+    void forward(const Event& event);
+    template <class Visit>
+    void in_session(std::uint32_t id, Visit visit);
+
+    // Activities: activities.cpp -----------------------------------------------------------------
+
+    void start_invokes();
+    void start_invoke(RowId n);
+    bool start_machine_of(RowId n, const InvokeInfo& info);
+    std::optional<MachineId> machine_of(const InvokeInfo& info);
+    void add_child(RowId n, MachineId machine, const Value& data);
+    /// Runs `run` on an invoked machine: it uses up this one's budget.
+    template <class Run>
+    void in_child(std::size_t child, Run run) {
+        Stepper stepper(*this, s_.children[child]);
+        run(stepper);
+        budget_ = stepper.budget_;
+        if (stepper.s_.fault) { adopt_fault(stepper); }
+    }
+    void adopt_fault(const Stepper& child);
+    bool run_children();
+    static bool has_waiting(const State& state);
+    void end_session();
+    void stop_invokes(RowId n);
     void tick_invokes();
     void end_invokes();
     void end_invoke(RowId n);
     void pass_params(const InvokeInfo& invoke);
-    /// Whether the machine has neither reached its end nor failed.
-    bool running() const { return !s_.session.final && !s_.fault; }
-    /// Whether nothing is left to do before the next external event.
-    bool at_rest() const { return !p_.has_eventless && s_.session.internal.empty(); }
-
-    // The active states: configuration.cpp -------------------------------------------------------
-
-    void leave_below(RowId domain);
-    void leave(RowId n);
-    void take_initial(RowId n);
-    void enter_targets(const Transition& transition);
-    void enter_path(RowId domain, RowId target);
-    void enter(RowId n);
-    void finish(RowId n);
-    void leave_all();
-    /// The <invoke> rows of a state: they come before its states.
-    Children invokes_of(RowId n) const;
+    std::size_t child_of(RowId invoke) const;
 
     // Shared -------------------------------------------------------------------------------------
 
@@ -290,9 +391,16 @@ private:
     void trace_tick(RowId n, Status status);
     void trace(TraceEvent event) {
         if (trace_ == nullptr) { return; }
-        event.tick = s_.tick + (in_step_ ? 1 : 0);
+        event.tick = now();
+        if (parent_ != nullptr) {
+            event.machine = &p_;
+            event.session = s_.session.id;
+        }
         trace_->on(event);
     }
+
+    /// The number of this cycle; 0 before the first. Invoked machines live on the outermost's time.
+    std::uint64_t now() const { return tick_.count + (outermost_.in_step_ ? 1 : 0); }
 
     RowId first_child(RowId n) const { return {n.index + 1}; }
 
@@ -304,6 +412,11 @@ private:
     std::uint32_t* memory_;
     void* host_;
     TraceSink* trace_;
+    Stepper& outermost_;
+    Stepper* parent_ = nullptr;        ///< of the machine that invokes this one; else null
+    RowId invoked_by_;                 ///< its invoke row
+    bool is_mute_ = false;             ///< it was cancelled: what it still sends is dropped
+    std::vector<RowId> last_sources_;  ///< of the transitions taken when the budget runs out
     bool while_woken_;
     std::uint32_t budget_;  ///< rows that may still be ticked
     RowId ended_;           ///< row that was ticked already; the next tick of it returns

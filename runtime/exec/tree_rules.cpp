@@ -60,6 +60,8 @@ Status Stepper::dispatch(RowId n, const Row& row) {
     case Op::invoke: return tick_only_child(n);
     case Op::machine: return tick_machine(n);
     case Op::state:
+    case Op::parallel_state:
+    case Op::history:
     case Op::final: break;  // entered and left, never ticked
     }
     return fault(Fault::Kind::leaf_status, n, "a state cannot be ticked");

@@ -35,7 +35,6 @@ struct AttributeRule {
     bool required = false;
     bool constant_in_json = false;  ///< required, but JSON may leave it out: it has one value
     bool may_be_pointer = false;    ///< {key} is accepted whatever the type
-    bool later = false;             ///< of the dialect, but not run by this version: an error
     std::string initial;            ///< what holds if it is missing; empty: nothing, or see `doc`
     std::string unit;               ///< of the value; empty: none
     std::vector<std::string> choices;

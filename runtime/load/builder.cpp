@@ -102,6 +102,15 @@ Meaning Builder::sensor(std::string_view name) {
     return {.kind = kind, .index = sensor->offset, .value = {}, .message = {}};
 }
 
+void Builder::name_enumerators() {
+    std::vector<EnumValue>& enums = program.code.enums;
+    for (const auto& [name, number] : registry_.enumerators()) {
+        enums.push_back({name, static_cast<double>(number)});
+    }
+    std::sort(enums.begin(), enums.end(),
+              [](const EnumValue& a, const EnumValue& b) { return a.name < b.name; });
+}
+
 const std::int64_t* Builder::enumerator(std::string_view name) const {
     for (const auto& [known, number] : registry_.enumerators()) {
         if (known == name) { return &number; }

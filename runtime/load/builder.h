@@ -59,6 +59,8 @@ public:
     void set_initial(SlotId slot, Value value);
     /// What _x.NAME means: see Names::sensor.
     Meaning sensor(std::string_view name);
+    /// Lets texts of the program name enumerators at run time.
+    void name_enumerators();
     /// The value of a literal: as literal_value(), the number if it is the name of an enumerator.
     Value enumerated(std::string_view literal) const;
 

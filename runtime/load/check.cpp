@@ -164,9 +164,9 @@ private:
             const std::string_view name = document_.string(attribute.name);
             if (namespaces_.is_passed_over(name)) { continue; }
             if (const AttributeRule* known = rule.find(name)) {
-                check_value(attribute, *known, rule, true);
+                check_value(attribute, *known, true);
             } else if (const AttributeRule* port = named ? named->find(name) : nullptr) {
-                check_value(attribute, *port, *named, false);
+                check_value(attribute, *port, false);
             } else if (!takes_any(rule, named)) {
                 report_unknown(attribute, rule, named);
             } else if (is_null(attribute)) {
@@ -189,7 +189,7 @@ private:
         const ElementRule& owner = named != nullptr ? *named : rule;
         std::vector<std::string_view> candidates;
         for (const AttributeRule& known : owner.attributes) {
-            if (!known.later) { candidates.push_back(known.name); }
+            candidates.push_back(known.name);
         }
         const std::string meant = suggestion(name, candidates);
         if (grammar_.kind == FileKind::tree && name.starts_with('_') && !is_null(attribute)) {
@@ -209,7 +209,7 @@ private:
         const std::size_t common = rule.node ? grammar_.node_attributes : 0;
         std::vector<std::string> names;
         for (std::size_t i = 0; i + common < rule.attributes.size(); ++i) {
-            if (!rule.attributes[i].later) { names.push_back(rule.attributes[i].name); }
+            names.push_back(rule.attributes[i].name);
         }
         if (names.empty() || names.size() > most) { return {}; }
         return "; it has " + listed(names, " and ");
@@ -233,14 +233,9 @@ private:
         }
     }
 
-    void check_value(const Attribute& attribute, const AttributeRule& rule,
-                     const ElementRule& owner, bool structural_fault) {
+    void check_value(const Attribute& attribute, const AttributeRule& rule, bool structural_fault) {
         const std::string_view value = document_.string(attribute.value);
-        if (rule.later) {
-            fault(structural_fault, "not-run", attribute.where,
-                  std::string(attribute_word()) + " \"" + rule.name + "\" of " + shown(owner.name) +
-                      " is not run by this version");
-        } else if (!accepts_spelling(rule, attribute)) {
+        if (!accepts_spelling(rule, attribute)) {
             report_value(attribute, rule, structural_fault);
         } else if (!in_range(rule, value)) {
             error("out-of-range", attribute.value_where,
@@ -374,7 +369,7 @@ private:
 
     /// "; expected onentry or onexit": what may stand in an element, if that is a short list.
     std::string expected_inside(const ElementRule& parent) const {
-        constexpr std::size_t longest = 8;
+        constexpr std::size_t longest = 10;
         if (parent.group == grammar_.nodes) { return "; expected a node"; }
         std::vector<std::string> names;
         for (const RuleId rule : grammar_.at(parent.group).rules) {

@@ -94,11 +94,6 @@ public:
         attribute(std::move(rule));
     }
     void node_attribute(AttributeRule rule) { common_.push_back(std::move(rule)); }
-    void later_attribute(std::string_view name) {
-        AttributeRule& rule = last().attributes.emplace_back();
-        rule.name = name;
-        rule.later = true;
-    }
     void parts(std::uint32_t least, std::uint32_t most, std::string_view list) {
         last().parts.push_back({least, most, words(list)});
     }
@@ -271,8 +266,6 @@ Grammar machine_grammar() {
 #define ATTRIBUTE(name, type, presence, initial, doc)                                              \
     builder.attribute(attribute_rule(name, type, presence, initial, doc));
 #define PARTS(least, most, parts_) builder.parts(least, most, parts_);
-#define LATER(element) builder.later(element);
-#define LATER_ATTRIBUTE(name) builder.later_attribute(name);
 #include "load/grammar_machine.def"
     return builder.finish("scxml");
 }

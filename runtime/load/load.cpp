@@ -9,8 +9,6 @@
 #include "load/substitutions.h"
 #include "load/xml.h"
 
-#include <algorithm>
-
 namespace trellis {
 
 namespace {
@@ -105,11 +103,7 @@ std::optional<Program> load(const Source& source, const Registry& registry,
         }
         if (rules) { warn_of_unused(*rules, diagnostics); }
         give(builder);
-        for (const auto& [name, number] : registry.enumerators()) {
-            builder.program.code.enums.push_back({name, static_cast<double>(number)});
-        }
-        std::sort(builder.program.code.enums.begin(), builder.program.code.enums.end(),
-                  [](const EnumValue& a, const EnumValue& b) { return a.name < b.name; });
+        builder.name_enumerators();
         program = std::move(builder.program);
     }
     diagnostics.sort();

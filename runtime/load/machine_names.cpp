@@ -63,8 +63,15 @@ Meaning MachineNames::system_variable(std::string_view name) {
         Slot& variable = builder_.program.slots[at->second.index];
         if (name == "_event") { builder_.program.event_slot = at->second; }
         if (name == "_name") { variable.initial = Value::text(builder_.program.name({0})); }
-        if (name == "_sessionid") { variable.initial = Value::text("s1"); }
-        if (name == "_ioprocessors") { variable.initial = event_processors(); }
+        // those of the outermost session; an invoked one gets its own when it begins
+        if (name == "_sessionid") {
+            variable.initial = Value::text("s1");
+            builder_.program.session_slot = at->second;
+        }
+        if (name == "_ioprocessors") {
+            variable.initial = event_processors();
+            builder_.program.processors_slot = at->second;
+        }
     }
     return {.kind = Meaning::Kind::read_only_slot,
             .index = at->second.index,

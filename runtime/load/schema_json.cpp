@@ -88,7 +88,6 @@ public:
         schema_["type"] = "object";
         properties_["doc"] = {{"type", "string"}, {"description", "a comment"}};
         for (const AttributeRule& attribute : rule.attributes) {
-            if (attribute.later) { continue; }
             properties_[attribute.name] = attribute_schema(attribute);
             if (attribute.required && !attribute.constant_in_json) {
                 required_attributes_.push_back(attribute.name);
@@ -307,20 +306,21 @@ private:
     }
     /// Rules that JSON does not spell as one object.
     static bool has_own_form(const ElementRule& rule) {
-        return is_one_of(
-            rule, {"scxml", "datamodel", "initial", "onentry", "onexit", "if", "elseif", "else"});
+        return is_one_of(rule, {"scxml", "datamodel", "initial", "onentry", "onexit", "if",
+                                "elseif", "else", "finalize"});
     }
     /// Rules whose object may have an "xml" member: what is in it, the schema cannot see.
     static bool may_hold_xml(const ElementRule& rule) {
-        return is_one_of(
-            rule, {"scxml", "state", "final", "data", "assign", "script", "invoke", "param"});
+        return is_one_of(rule, {"scxml", "state", "parallel", "final", "history", "data", "assign",
+                                "script", "invoke", "param", "send", "content", "invoke_content",
+                                "donedata"});
     }
 
     Json object(const ElementRule& rule) const {
         ObjectSchema out(rule);
         if (rule.text) { out.member("text", {{"type", "string"}}); }
         if (may_hold_xml(rule)) { out.member("xml", {{"type", "string"}}); }
-        if (is_one_of(rule, {"scxml", "state", "final"})) {
+        if (is_one_of(rule, {"scxml", "state", "parallel", "final", "history"})) {
             // an empty array stands for no element, wherever it is
             for (const char* list :
                  {"data", "scripts", "onentry", "onexit", "invoke", "transitions", "states"}) {
@@ -328,7 +328,9 @@ private:
             }
         }
         if (rule.group) { add_children(out, grammar_.at(rule.group)); }
-        if (rule.id == "state" || rule.id == "final") { out.member("kind", {{"const", rule.id}}); }
+        if (is_one_of(rule, {"state", "parallel", "final", "history"})) {
+            out.member("kind", {{"const", rule.id}}, rule.id != "state");
+        }
         if (rule.id == "scxml") { out.member("xmlns", {{"const", scxml_namespace}}); }
         out.attributes_in("attributes");
         out.passed_over(other_namespaces, any_text());
@@ -359,15 +361,32 @@ private:
                 out.member("params", array_of(reference("param")));
             } else if (id == "invoke") {
                 out.member("invoke", array_of(reference("invoke")));
+            } else if (id == "initial_transition") {
+                Json one = array_of(reference(id));
+                one["minItems"] = 1;
+                one["maxItems"] = 1;
+                out.member("transitions", one, true);
+            } else if (id == "donedata" || id == "invoke_content") {
+                out.member(grammar_.at(child).name, reference(id));
+            } else if (id == "content") {
+                out.member(id, {{"anyOf", {reference(id), {{"type", "string"}}}}});
+            } else if (id == "finalize") {
+                out.member(id, reference("block"));
+            } else if (id == "scxml") {
+                out.member(id, {{"$ref", "#"}});
             }
         }
     }
 
     void write_shared() {
-        definitions_["any_state"] = {
-            {"if", {{"required", {"kind"}}, {"properties", {{"kind", {{"const", "final"}}}}}}},
-            {"then", reference("final")},
-            {"else", reference("state")}};
+        Json any_state = reference("state");
+        for (const char* kind : {"history", "final", "parallel"}) {
+            any_state = {
+                {"if", {{"required", {"kind"}}, {"properties", {{"kind", {{"const", kind}}}}}}},
+                {"then", reference(kind)},
+                {"else", std::move(any_state)}};
+        }
+        definitions_["any_state"] = std::move(any_state);
         definitions_["blocks"] = {{"description", "blocks of executable content; or one block"},
                                   {"anyOf", {array_of(reference("block")), reference("block")}}};
         definitions_["block"] = array_of(reference("action"));
@@ -400,6 +419,7 @@ private:
     static const char* shorthand(std::string_view action) {
         if (action == "raise") { return "event"; }
         if (action == "log") { return "expr"; }
+        if (action == "cancel") { return "sendid"; }
         return action == "script" ? "text" : nullptr;
     }
 

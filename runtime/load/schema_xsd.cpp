@@ -178,7 +178,6 @@ private:
     }
 
     void write_attribute(const AttributeRule& rule) {
-        if (rule.later) { return; }
         std::string attributes = written("name", rule.name) + written("type", value_type(rule));
         if (rule.required) {
             attributes += written("use", "required");

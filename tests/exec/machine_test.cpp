@@ -256,7 +256,8 @@ TEST_CASE("machine: transitions that swap for ever are a livelock") {
     m.run.start({.dt = 0.5});
     CHECK(m.run.state.fault.kind == Fault::Kind::livelock);
     CHECK(m.run.state.fault.message ==
-          "this machine does not come to rest: too many events and transitions in one cycle");
+          "this machine does not come to rest: too many events and transitions in one cycle, "
+          "again and again from \"b\", \"a\"");
 }
 
 TEST_CASE("machine: _event tells the name, type and data of the event, also after it (5.10.1)") {

@@ -25,7 +25,7 @@ std::string tick(ScriptRun& run, const std::string& event, bool bumper) {
     if (run.state.fault) { return {}; }
     run.host.bumper = bumper;
     if (!event.empty()) { send(run.program(), run.state, event); }
-    const Status status = run.step();
+    const Status status = run.step({.dt = 1.0, .budget = 3000});
     return std::string(name_of(status)) + ' ' + run.statuses() + ' ' + run.take_events();
 }
 

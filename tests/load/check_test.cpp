@@ -105,7 +105,7 @@ TEST_CASE("check: elements at the wrong place, text where none may be") {
           "2:11 Sequence takes no text, found \"and\" [unexpected-text]\n");
     CHECK(machine("<state><data id='x'/></state>") ==
           "2:9 <data> may not stand directly inside <state>; expected onentry, onexit, transition, "
-          "initial, state, final, datamodel or invoke [misplaced-element]\n");
+          "initial, state, parallel, final, history, datamodel or invoke [misplaced-element]\n");
 }
 
 TEST_CASE("check: the long form is checked as the node it names") {
@@ -119,11 +119,14 @@ TEST_CASE("check: the long form is checked as the node it names") {
           "~ 2:34 Inverter takes 1 child, found 2 [child-count]\n");
 }
 
-TEST_CASE("check: SCXML that this version does not run is named once") {
-    CHECK(machine("<parallel id='p'><state id='a'/></parallel>") ==
-          "2:2 <parallel> is not run by this version [not-run]\n");
-    CHECK(machine("<state><invoke type='leaf' src='Say' autoforward='true'/></state>") ==
-          "2:38 attribute \"autoforward\" of <invoke> is not run by this version [not-run]\n");
+TEST_CASE("check: machines inside <content> are checked as machines") {
+    CHECK(machine("<state><invoke><content><scxml version='1.0'><stat/></scxml></content></invoke>"
+                  "</state>") ==
+          "~ 2:26 <scxml> needs <state>, <parallel> or <final> [missing-part]\n"
+          "2:46 unknown element \"stat\"; did you mean \"state\"? [unknown-element]\n");
+    CHECK(machine("<state><onentry><send event='e'><content><stat/></content></send></onentry>"
+                  "</state>")
+              .empty());
 }
 
 TEST_CASE("check: parts that exclude each other, branches after else") {

@@ -183,8 +183,8 @@ TEST_CASE("faults: every finding has an id of the table, and every id of check.c
     }
     for (const char* id :
          {"wrong-root", "wrong-namespace", "unknown-node", "unknown-element", "misplaced-element",
-          "not-run", "unknown-attribute", "missing-attribute", "bad-value", "child-count",
-          "unexpected-text", "ignored-attribute", "format-version", "out-of-range", "missing-part",
+          "unknown-attribute", "missing-attribute", "bad-value", "child-count", "unexpected-text",
+          "ignored-attribute", "format-version", "out-of-range", "missing-part",
           "conflicting-parts", "branch-after-else"}) {
         CHECK_MESSAGE(seen.count(id) != 0, id, " is found in no file");
     }

@@ -27,7 +27,8 @@ public:
 
     void on(const TraceEvent& what) override {
         using enum TraceEvent::Kind;
-        const std::string name(what.row ? program_.name(what.row) : "");
+        const Program& program = what.machine != nullptr ? *what.machine : program_;
+        const std::string name(what.row ? program.name(what.row) : "");
         if (what.kind == enter) { text += " +" + name; }
         if (what.kind == leave) { text += " -" + name; }
         if (what.kind == log) { text += " (" + std::string(what.text) + ')'; }

@@ -1,5 +1,5 @@
-// Random statecharts without faults, of the part that support/reference_machine.h understands.
-// Covered by the tests that use them.
+// Random statecharts without faults, of what support/reference_machine.h understands. Covered by
+// the tests that use them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,8 +9,9 @@
 
 namespace trellis::test {
 
-/// The text of a machine of about `states` states: compound and final states, initial states of
-/// every spelling, all kinds of transitions, content that raises, logs, assigns and fails.
+/// The text of a machine of about `states` states: compound, parallel and final states, histories,
+/// initial states of every spelling, all kinds of transitions, content that raises, logs, assigns,
+/// loops, sends and fails, invoked machines.
 std::string random_machine(Random& random, int states);
 
 /// One of the names that random machines answer to, or raise, or neither.

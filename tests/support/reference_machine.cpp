@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/reference_machine.h"
 
-#include <cstdint>
+#include <algorithm>
 #include <sstream>
 
 namespace trellis::test {
@@ -20,87 +20,125 @@ std::vector<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
-ReferenceMachine::ReferenceMachine(const Document& document) : document_(document) {}
+ReferenceMachine::ReferenceMachine(const Document& document, Index root, ReferenceMachine* parent)
+    : document_(document), root_(root), parent_(parent),
+      outermost_(parent != nullptr ? parent->outermost_ : *this), number_(++outermost_.sessions_) {}
 
-// The document
-// --------------------------------------------------------------------------------------
+// The document ------------------------------------------------------------------------------------
 
-bool ReferenceMachine::is_state(std::uint32_t s) const {
-    const std::string_view name = document_.name({s});
-    return name == "state" || name == "final" || name == "scxml";
+std::vector<std::uint32_t> ReferenceMachine::children(Index e, std::string_view named) const {
+    std::vector<Index> out;
+    for (const ElementId child : document_.children({e})) {
+        if (document_.name(child) == named) { out.push_back(child.index); }
+    }
+    return out;
 }
 
-bool ReferenceMachine::is_final(std::uint32_t s) const {
-    return document_.name({s}) == "final";
+bool ReferenceMachine::is_state(Index s) const {
+    return name(s) == "state" || name(s) == "parallel" || name(s) == "final";
 }
 
-std::uint32_t ReferenceMachine::parent(std::uint32_t s) const {
-    return document_.at({s}).parent.index;
+bool ReferenceMachine::is_compound(Index s) const {
+    return name(s) == "scxml" || (name(s) == "state" && !is_atomic(s));
 }
 
-bool ReferenceMachine::is_descendant(std::uint32_t s, std::uint32_t of) const {
-    while (s != 0) {
+bool ReferenceMachine::is_descendant(Index s, Index of) const {
+    while (s != root_) {
         s = parent(s);
         if (s == of) { return true; }
     }
     return false;
 }
 
-std::vector<std::uint32_t> ReferenceMachine::child_states(std::uint32_t s) const {
-    std::vector<std::uint32_t> out;
+std::vector<std::uint32_t> ReferenceMachine::child_states(Index s) const {
+    std::vector<Index> out;
     for (const ElementId child : document_.children({s})) {
         if (is_state(child.index)) { out.push_back(child.index); }
     }
     return out;
 }
 
-std::string ReferenceMachine::id(std::uint32_t s) const {
-    return std::string(document_.value({s}, "id"));
-}
-
 std::vector<std::uint32_t> ReferenceMachine::states_named(std::string_view names) const {
-    std::vector<std::uint32_t> out;
-    for (const std::string& name : words_of(names)) {
-        for (std::uint32_t s = 1; s < document_.elements.size(); ++s) {
-            if (is_state(s) && id(s) == name) { out.push_back(s); }
+    std::vector<Index> out;
+    for (const std::string& wanted : words_of(names)) {
+        for (Index s = root_ + 1; s < document_.at({root_}).end.index; ++s) {
+            if (name(s) == "scxml") {  // another machine's
+                s = document_.at({s}).end.index - 1;
+            } else if ((is_state(s) || name(s) == "history") && value(s, "id") == wanted) {
+                out.push_back(s);
+            }
         }
     }
     return out;
 }
 
-ReferenceMachine::Way ReferenceMachine::initial_way(std::uint32_t s) const {
-    Way way{.element = {}, .source = s, .targets = {}};
-    for (const ElementId child : document_.children({s})) {
-        if (document_.name(child) != "initial") { continue; }
-        way.element = {child.index + 1};
-        way.targets = states_named(document_.value(way.element, "target"));
+ReferenceMachine::Way ReferenceMachine::initial_way(Index s) const {
+    Way way{.source = s, .targets = {}, .domain = s};
+    for (const Index initial : children(s, "initial")) {
+        way.element = initial + 1;
+        way.targets = states_named(value(way.element, "target"));
     }
     if (document_.find({s}, "initial") != nullptr) {
-        way.targets = states_named(document_.value({s}, "initial"));
+        way.targets = states_named(value(s, "initial"));
     }
     if (way.targets.empty()) { way.targets.push_back(child_states(s).front()); }
     return way;
 }
 
+void ReferenceMachine::say(std::string_view what, Index state) {
+    outermost_.trace += 's' + std::to_string(number_) + ' ' + std::string(what) + ' ' +
+                        std::string(value(state, "id")) + '\n';
+}
+
+std::string ReferenceMachine::configuration() const {
+    std::set<std::string> ids;
+    for (const Index s : configuration_) {
+        ids.insert(std::string(value(s, "id")));
+    }
+    std::string out;
+    for (const std::string& id : ids) {
+        out += (out.empty() ? "" : " ") + id;
+    }
+    return out;
+}
+
 // Selection ---------------------------------------------------------------------------------------
 
-std::uint32_t ReferenceMachine::domain(const Way& way) const {
-    const auto around_targets = [&](std::uint32_t s) {
-        for (const std::uint32_t target : way.targets) {
-            if (!is_descendant(target, s)) { return false; }
+std::vector<std::uint32_t> ReferenceMachine::effective_targets(const Way& way) const {
+    std::vector<Index> out;
+    for (const Index target : way.targets) {
+        if (name(target) != "history") {
+            out.push_back(target);
+        } else if (histories_.count(target) != 0) {
+            const std::vector<Index>& stored = histories_.at(target);
+            out.insert(out.end(), stored.begin(), stored.end());
+        } else {
+            const Index transition = children(target, "transition").front();
+            const Way initial{.targets = states_named(value(transition, "target"))};
+            const std::vector<Index> more = effective_targets(initial);
+            out.insert(out.end(), more.begin(), more.end());
         }
-        return true;
+    }
+    return out;
+}
+
+// getTransitionDomain, with findLCCA
+std::uint32_t ReferenceMachine::domain(const Way& way) const {
+    const std::vector<Index> targets = effective_targets(way);
+    const auto is_around = [&](Index s) {
+        return std::all_of(targets.begin(), targets.end(),
+                           [&](Index target) { return is_descendant(target, s); });
     };
-    if (way.internal && around_targets(way.source)) { return way.source; }
-    std::uint32_t s = parent(way.source);
-    while (!around_targets(s)) {
+    if (way.internal && is_compound(way.source) && is_around(way.source)) { return way.source; }
+    Index s = parent(way.source);
+    while (!is_compound(s) || !is_around(s)) {
         s = parent(s);
     }
     return s;
 }
 
-bool ReferenceMachine::matches(ElementId transition, const std::string& event) const {
-    for (std::string descriptor : words_of(document_.value(transition, "event"))) {
+bool ReferenceMachine::matches(Index transition, const std::string& event) const {
+    for (std::string descriptor : words_of(value(transition, "event"))) {
         if (descriptor == "*" || descriptor == ".*") { return true; }
         if (descriptor.ends_with(".*")) { descriptor.resize(descriptor.size() - 2); }
         if (descriptor.ends_with('.')) { descriptor.pop_back(); }
@@ -109,225 +147,252 @@ bool ReferenceMachine::matches(ElementId transition, const std::string& event) c
     return false;
 }
 
-// selectTransitions and selectEventlessTransitions: one atomic state is active
-bool ReferenceMachine::find_enabled(const std::string* event, Way& found) {
-    std::uint32_t s = *configuration_.rbegin();
-    for (;; s = parent(s)) {
-        for (const ElementId t : document_.children({s})) {
-            if (document_.name(t) != "transition") { continue; }
-            const bool eventless = document_.find(t, "event") == nullptr;
+bool ReferenceMachine::find_enabled(Index atom, const std::string* event, Way& found) {
+    for (Index s = atom; s != root_; s = parent(s)) {
+        for (const Index t : children(s, "transition")) {
+            const bool eventless = document_.find({t}, "event") == nullptr;
             if (eventless != (event == nullptr) || (event != nullptr && !matches(t, *event))) {
                 continue;
             }
-            if (document_.find(t, "cond") != nullptr && !condition(document_.value(t, "cond"))) {
+            if (document_.find({t}, "cond") != nullptr && !condition(value(t, "cond"))) {
                 continue;
             }
             found = {.element = t,
                      .source = s,
-                     .targets = states_named(document_.value(t, "target")),
-                     .internal = document_.value(t, "type") == "internal"};
+                     .targets = states_named(value(t, "target")),
+                     .internal = value(t, "type") == "internal"};
+            if (!found.targets.empty()) { found.domain = domain(found); }
             return true;
         }
-        if (s == 0) { return false; }
     }
+    return false;
+}
+
+// selectTransitions, and selectEventlessTransitions without an event
+std::vector<ReferenceMachine::Way> ReferenceMachine::select(const std::string* event) {
+    std::vector<Way> enabled;
+    for (const Index s : configuration_) {
+        Way way;
+        if (!is_atomic(s) || !find_enabled(s, event, way)) { continue; }
+        const bool known = std::any_of(enabled.begin(), enabled.end(),
+                                       [&](const Way& w) { return w.element == way.element; });
+        if (!known) { enabled.push_back(way); }
+    }
+    return without_conflicts(enabled);
+}
+
+ReferenceMachine::States ReferenceMachine::exit_set(const Way& way) const {
+    States out;
+    for (const Index s : configuration_) {
+        if (!way.targets.empty() && is_descendant(s, way.domain)) { out.insert(s); }
+    }
+    return out;
+}
+
+// removeConflictingTransitions
+std::vector<ReferenceMachine::Way>
+ReferenceMachine::without_conflicts(const std::vector<Way>& enabled) const {
+    std::vector<Way> filtered;
+    for (const Way& way : enabled) {
+        const States mine = exit_set(way);
+        std::vector<Way> kept;
+        bool preempted = false;
+        for (const Way& other : filtered) {
+            const States theirs = exit_set(other);
+            const bool conflict = std::any_of(mine.begin(), mine.end(),
+                                              [&](Index s) { return theirs.count(s) != 0; });
+            if (!conflict) {
+                kept.push_back(other);
+            } else if (!is_descendant(way.source, other.source)) {
+                preempted = true;
+                break;
+            }
+        }
+        if (preempted) { continue; }
+        kept.push_back(way);
+        filtered = std::move(kept);
+    }
+    return filtered;
 }
 
 // Microsteps --------------------------------------------------------------------------------------
 
-void ReferenceMachine::microstep(const Way& way) {
-    ++microsteps_;
-    trace += "take " + id(way.source) + '\n';
-    exit_states(way);
-    run_content(way.element);
-    enter_states(way);
+void ReferenceMachine::microstep(const std::vector<Way>& ways) {
+    ++outermost_.microsteps_;
+    for (const Way& way : ways) {
+        say("take", way.source);
+    }
+    exit_states(ways);
+    for (const Way& way : ways) {
+        run_content(way.element);
+    }
+    enter_states(ways);
 }
 
-void ReferenceMachine::exit_states(const Way& way) {
-    if (way.targets.empty()) { return; }
-    const std::uint32_t top = domain(way);
+void ReferenceMachine::exit_states(const std::vector<Way>& ways) {
     States leaving;
-    for (const std::uint32_t s : configuration_) {
-        if (is_descendant(s, top)) { leaving.insert(s); }
+    for (const Way& way : ways) {
+        leaving.merge(exit_set(way));
+    }
+    for (const Index s : leaving) {
+        to_invoke_.erase(s);
+        for (const Index history : children(s, "history")) {
+            std::vector<Index>& stored = histories_[history];
+            stored.clear();
+            for (const Index active : configuration_) {
+                const bool counts = value(history, "type") == "deep"
+                                        ? is_atomic(active) && is_descendant(active, s)
+                                        : parent(active) == s;
+                if (counts) { stored.push_back(active); }
+            }
+        }
     }
     for (auto s = leaving.rbegin(); s != leaving.rend(); ++s) {
         run_blocks(*s, "onexit");
+        cancel_invokes(*s);
         configuration_.erase(*s);
-        trace += "leave " + id(*s) + '\n';
+        say("leave", *s);
     }
 }
 
-void ReferenceMachine::enter_states(const Way& way) {
-    States to_enter;
-    States by_default;
-    for (const std::uint32_t target : way.targets) {
-        add_descendants(target, to_enter, by_default);
-    }
-    if (!way.targets.empty()) {
-        const std::uint32_t top = way.source == 0 ? 0 : domain(way);
-        for (const std::uint32_t target : way.targets) {
-            add_ancestors(target, top, to_enter);
+void ReferenceMachine::enter_states(const std::vector<Way>& ways) {
+    Entry entry;
+    for (const Way& way : ways) {
+        for (const Index target : way.targets) {
+            add_descendants(target, entry);
+        }
+        for (const Index target : effective_targets(way)) {
+            add_ancestors(target, way.domain, entry);
         }
     }
-    for (const std::uint32_t s : to_enter) {
-        configuration_.insert(s);
-        trace += "enter " + id(s) + '\n';
+    for (const Index s : entry.states) {
+        // Appendix D adds the states between a history's default and its parent, active or not
+        if (!configuration_.insert(s).second) { continue; }
+        to_invoke_.insert(s);
+        say("enter", s);
         run_blocks(s, "onentry");
-        if (by_default.contains(s)) {
-            if (const Way initial = initial_way(s); initial.element) {
-                run_content(initial.element);
+        if (entry.by_default.count(s) != 0 && initial_way(s).element != 0) {
+            run_content(initial_way(s).element);
+        }
+        if (entry.history_content.count(s) != 0) { run_content(entry.history_content.at(s)); }
+        if (name(s) == "final") { finish(s); }
+    }
+}
+
+// addDescendantStatesToEnter
+void ReferenceMachine::add_descendants(Index s, Entry& entry) const {
+    if (name(s) == "history") {
+        const Way way{.targets = {s}};
+        if (histories_.count(s) == 0) {
+            const Index transition = children(s, "transition").front();
+            entry.history_content[parent(s)] = transition;
+            for (const Index target : states_named(value(transition, "target"))) {
+                add_descendants(target, entry);
+            }
+        } else {
+            for (const Index stored : histories_.at(s)) {
+                add_descendants(stored, entry);
             }
         }
-        if (!is_final(s)) { continue; }
-        if (parent(s) == 0) {
-            running_ = false;
-        } else {
-            internal_.push_back("done.state." + id(parent(s)));
+        for (const Index target : effective_targets(way)) {
+            add_ancestors(target, parent(s), entry);
+        }
+        return;
+    }
+    entry.states.insert(s);
+    if (is_compound(s)) {
+        entry.by_default.insert(s);
+        const Way way = initial_way(s);
+        for (const Index target : way.targets) {
+            add_descendants(target, entry);
+        }
+        for (const Index target : effective_targets(way)) {
+            add_ancestors(target, s, entry);
         }
     }
+    if (name(s) == "parallel") { add_regions(s, entry); }
 }
 
-void ReferenceMachine::add_descendants(std::uint32_t s, States& to_enter,
-                                       States& by_default) const {
-    to_enter.insert(s);
-    if (child_states(s).empty()) { return; }
-    by_default.insert(s);
-    for (const std::uint32_t target : initial_way(s).targets) {
-        add_descendants(target, to_enter, by_default);
-        add_ancestors(target, s, to_enter);
+// addAncestorStatesToEnter
+void ReferenceMachine::add_ancestors(Index s, Index top, Entry& entry) const {
+    for (Index up = parent(s); up != top; up = parent(up)) {
+        entry.states.insert(up);
+        if (name(up) == "parallel") { add_regions(up, entry); }
     }
 }
 
-void ReferenceMachine::add_ancestors(std::uint32_t s, std::uint32_t top, States& to_enter) const {
-    for (std::uint32_t up = parent(s); up != top; up = parent(up)) {
-        to_enter.insert(up);
+void ReferenceMachine::add_regions(Index parallel, Entry& entry) const {
+    for (const Index region : child_states(parallel)) {
+        const bool entered = std::any_of(entry.states.begin(), entry.states.end(),
+                                         [&](Index s) { return is_descendant(s, region); });
+        if (!entered) { add_descendants(region, entry); }
     }
+}
+
+void ReferenceMachine::finish(Index final_state) {
+    Index around = parent(final_state);
+    if (around == root_) {
+        running_ = false;
+        return;
+    }
+    internal_.push_back("done.state." + std::string(value(around, "id")));
+    for (around = parent(around); name(around) == "parallel" && is_finished(around);
+         around = parent(around)) {
+        internal_.push_back("done.state." + std::string(value(around, "id")));
+    }
+}
+
+// isInFinalState
+bool ReferenceMachine::is_finished(Index s) const {
+    const std::vector<Index> states = child_states(s);
+    if (name(s) == "parallel") {
+        return std::all_of(states.begin(), states.end(), [&](Index c) { return is_finished(c); });
+    }
+    return std::any_of(states.begin(), states.end(),
+                       [&](Index c) { return name(c) == "final" && configuration_.count(c) != 0; });
 }
 
 // The main loop -----------------------------------------------------------------------------------
 
 void ReferenceMachine::start() {
     running_ = true;
-    for (std::uint32_t e = 0; e < document_.elements.size(); ++e) {
-        if (document_.name({e}) == "data" && document_.value({e}, "id") == "n") {
-            n_ = std::stoi(std::string(document_.value({e}, "expr")));
-        }
+    begun_ = outermost_.time_;
+    for (const Index datamodel : children(root_, "datamodel")) {
+        n_ = std::stoi(std::string(value(children(datamodel, "data").front(), "expr")));
     }
-    configuration_.insert(0);
-    const Way way = initial_way(0);
-    enter_states(way);
+    enter_states({initial_way(root_)});
     come_to_rest();
 }
 
-void ReferenceMachine::send(std::string_view event) {
-    if (!running_) { return; }
-    const std::string name(event);
-    Way way;
-    if (find_enabled(&name, way)) { microstep(way); }
-    come_to_rest();
-}
-
+// Eventless transitions and internal events; then what is to be invoked.
 void ReferenceMachine::come_to_rest() {
-    while (running_ && !is_endless()) {
-        Way way;
-        if (find_enabled(nullptr, way)) {
-            microstep(way);
+    while (running_ && !outermost_.is_endless()) {
+        if (const std::vector<Way> ways = select(nullptr); !ways.empty()) {
+            microstep(ways);
             continue;
         }
-        if (internal_.empty()) { return; }
+        if (internal_.empty()) {
+            if (to_invoke_.empty()) { return; }
+            start_invokes();
+            if (internal_.empty()) { return; }
+            continue;
+        }
         const std::string event = internal_.front();
         internal_.pop_front();
-        ++microsteps_;
-        if (find_enabled(&event, way)) { microstep(way); }
+        ++outermost_.microsteps_;
+        if (const std::vector<Way> ways = select(&event); !ways.empty()) { microstep(ways); }
     }
-    if (!running_) { exit_interpreter(); }
 }
 
 void ReferenceMachine::exit_interpreter() {
-    while (configuration_.size() > 1) {
-        const std::uint32_t s = *configuration_.rbegin();
+    while (!configuration_.empty()) {
+        const Index s = *configuration_.rbegin();
         run_blocks(s, "onexit");
+        cancel_invokes(s);
         configuration_.erase(s);
-        trace += "leave " + id(s) + '\n';
+        say("leave", s);
     }
-}
-
-std::string ReferenceMachine::configuration() const {
-    std::string out;
-    for (const std::uint32_t s : configuration_) {
-        if (s != 0) { out += (out.empty() ? "" : " ") + id(s); }
-    }
-    return out;
-}
-
-// Executable content ------------------------------------------------------------------------------
-
-void ReferenceMachine::run_blocks(std::uint32_t s, std::string_view element) {
-    for (const ElementId child : document_.children({s})) {
-        if (document_.name(child) == element) { run_content(child); }
-    }
-}
-
-bool ReferenceMachine::run_content(ElementId parent) {
-    for (const ElementId action : document_.children(parent)) {
-        if (!run_action(action)) { return false; }
-    }
-    return true;
-}
-
-bool ReferenceMachine::run_action(ElementId action) {
-    const std::string_view name = document_.name(action);
-    if (name == "raise") {
-        internal_.emplace_back(document_.value(action, "event"));
-    } else if (name == "log") {
-        trace += "log " + std::string(document_.value(action, "label")) + '\n';
-    } else if (name == "assign") {
-        if (document_.value(action, "expr") != "n + 1") {
-            internal_.emplace_back("error.execution");
-            return false;
-        }
-        ++n_;
-    } else if (name == "if") {
-        return run_branches(action);
-    }
-    return true;
-}
-
-bool ReferenceMachine::run_branches(ElementId branches) {
-    bool taken = condition(document_.value(branches, "cond"));
-    bool done = false;
-    for (const ElementId child : document_.children(branches)) {
-        const std::string_view name = document_.name(child);
-        if (name == "elseif" || name == "else") {
-            done = done || taken;
-            taken = !done && (name == "else" || condition(document_.value(child, "cond")));
-        } else if (taken && !done && !run_action(child)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-// A condition that cannot be evaluated is false, and an error (SCXML 5.9.1).
-bool ReferenceMachine::condition(std::string_view text) {
-    bool failed = false;
-    const bool holds = truth(text, failed);
-    if (failed) { internal_.emplace_back("error.execution"); }
-    return holds;
-}
-
-bool ReferenceMachine::truth(std::string_view text, bool& failed) const {
-    if (text == "true" || text == "false") { return text == "true"; }
-    if (text == "_x.bumper") { return bumper; }
-    if (text.starts_with('!')) { return !truth(text.substr(1), failed); }
-    if (text.starts_with("In('")) {
-        const std::string name(text.substr(4, text.size() - 6));
-        const std::vector<std::uint32_t> named = states_named(name);
-        return !named.empty() && configuration_.contains(named.front());
-    }
-    if (text.starts_with("n < ")) { return n_ < std::stoi(std::string(text.substr(4))); }
-    if (text.starts_with("n > ")) { return n_ > std::stoi(std::string(text.substr(4))); }
-    failed = true;
-    return false;
+    delayed_.clear();
 }
 
 }  // namespace trellis::test

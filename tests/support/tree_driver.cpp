@@ -3,36 +3,16 @@
 #include "support/tree_driver.h"
 
 #include "load/load.h"
+#include "support/loading.h"
 #include "support/script_leaves.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
 namespace trellis::test {
 
 namespace {
-
-std::optional<std::string> file_text(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) { return {}; }
-    return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-class DiskReader final : public SourceReader {
-public:
-    std::optional<Source> read(std::string_view path, std::string_view from,
-                               std::string_view) override {
-        const std::string name =
-            (std::filesystem::path(from).parent_path() / path).lexically_normal().string();
-        std::optional<std::string> text = file_text(name);
-        if (!text) { return {}; }
-        return Source{name, std::move(*text)};
-    }
-};
 
 /// Adds the changes of stored statuses to the events of the host. A node's number counts from 1 at
 /// the root, and row 0 is the tree around it.
@@ -129,10 +109,10 @@ DriveOptions drive_options(const std::vector<std::string>& words) {
 
 Drive drive_tree(const std::string& path, const DriveOptions& options) {
     Drive drive;
-    DiskReader reader;
+    Disk reader;
     Diagnostics diagnostics;
     LoadOptions how{.reader = &reader, .main_tree = options.main_tree};
-    const Source source{path, file_text(path).value_or("")};
+    const Source source = reader.read(path, {}, {}).value_or(Source{path, {}});
     const std::optional<Program> program = load(source, script_registry(), diagnostics, how);
     if (!program) {
         drive.output = "LOAD_ERROR\n";
