@@ -153,8 +153,10 @@ struct BoundOutput {
 struct LeafCall {
     const LeafType* type = nullptr;  ///< owned by the registry, which must outlive the program
     std::uint32_t offset = 0;        ///< bytes
-    std::uint32_t first_input = 0, input_count = 0;    ///< Program::live_inputs
-    std::uint32_t first_output = 0, output_count = 0;  ///< Program::bound_outputs
+    std::uint32_t fresh_size = 0;    ///< bytes that are fresh on entry; 0: it has no members
+    std::uint32_t first_input = 0;   ///< Program::live_inputs
+    std::uint32_t first_output = 0;  ///< Program::bound_outputs
+    std::uint16_t input_count = 0, output_count = 0;
 
     friend bool operator==(const LeafCall&, const LeafCall&) = default;
 };

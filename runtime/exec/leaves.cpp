@@ -8,30 +8,9 @@
 
 namespace trellis {
 
-// A leaf that may take many ticks. One that has completed and was not reset repeats its result
-// without being called (TREES §1.3).
-Status Stepper::tick_action(RowId n, const Row& row) {
-    const Status stored = status_[n.index];
-    if (is_done(stored)) { return stored; }
-    const LeafCall& leaf = p_.calls[row.arg];
-    std::byte* self = s_.leaves.data() + leaf.offset;
-    if (stored == Status::idle) {
-        std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.type->size);
-    }
-    return call(n, leaf, self);
-}
-
-// A leaf that answers at once is fresh in every tick.
-Status Stepper::tick_at_once(RowId n, const Row& row) {
-    const LeafCall& leaf = p_.calls[row.arg];
-    std::byte* self = s_.leaves.data() + leaf.offset;
-    std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.type->size);
-    const Status status = call(n, leaf, self);
-    if (status == Status::running) {
-        return fault(Fault::Kind::leaf_status, n,
-                     leaf.type->name + " must answer at once but returned RUNNING");
-    }
-    return status;
+Status Stepper::did_not_answer(RowId n, const LeafCall& leaf) {
+    return fault(Fault::Kind::leaf_status, n,
+                 leaf.type->name + " must answer at once but returned RUNNING");
 }
 
 Status Stepper::returned_idle(RowId n, const LeafCall& leaf) {

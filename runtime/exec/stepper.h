@@ -111,12 +111,12 @@ private:
     const Conditions& conditions_of(RowId n) const;
 
     /// Stores a status and traces the change.
-    void store(RowId n, Status status) {
+    [[gnu::always_inline]] void store(RowId n, Status status) {
         if (trace_ != nullptr) { trace_status(n, status); }
         status_[n.index] = status;
     }
     /// Stores what a tick returned. A skipped node keeps what its rule has stored (TREES §1).
-    void keep(RowId n, Status status) {
+    [[gnu::always_inline]] void keep(RowId n, Status status) {
         if (status == Status::skipped) {
             trace({.kind = TraceEvent::Kind::skip, .row = n});
         } else if (status != Status::idle) {
@@ -124,7 +124,7 @@ private:
         }
     }
     /// Halts a child if it runs, and makes it idle: resetChild of BehaviorTree.CPP.
-    void reset(RowId n) {
+    [[gnu::always_inline]] void reset(RowId n) {
         if (status_[n.index] == Status::running) { halt_node(n); }
         if (status_[n.index] != Status::idle) { store(n, Status::idle); }
     }
@@ -201,7 +201,35 @@ private:
 
     // Leaves: leaves.cpp -------------------------------------------------------------------------
 
-    Status tick_action(RowId n, const Row& row);
+    /// A leaf that may take many ticks. One that has completed and was not reset repeats its result
+    /// without being called (TREES §1.3).
+    [[gnu::always_inline]] Status tick_action(RowId n, const Row& row) {
+        const Status stored = status_[n.index];
+        if (is_done(stored)) { return stored; }
+        const LeafCall& leaf = p_.calls[row.arg];
+        std::byte* self = s_.leaves.data() + leaf.offset;
+        if (stored == Status::idle) { refresh(leaf, self); }
+        return call(n, leaf, self);
+    }
+    /// A leaf that answers at once is fresh in every tick.
+    [[gnu::always_inline]] Status tick_at_once(RowId n, const Row& row) {
+        const LeafCall& leaf = p_.calls[row.arg];
+        std::byte* self = s_.leaves.data() + leaf.offset;
+        refresh(leaf, self);
+        const Status status = call(n, leaf, self);
+        return status == Status::running ? did_not_answer(n, leaf) : status;
+    }
+    Status did_not_answer(RowId n, const LeafCall& leaf);
+    /// Ticks a child: the same as tick(n), without the detour for leaves.
+    [[gnu::always_inline]] Status tick_child(RowId n) {
+        const Row& row = rows_[n.index];
+        const bool leaf = row.op == Op::action || row.op == Op::condition;
+        if (!leaf || row.conditional || n == ended_ || budget_ < 2) { return tick(n); }
+        --budget_;
+        const Status status = row.op == Op::action ? tick_action(n, row) : tick_at_once(n, row);
+        keep(n, status);
+        return status;
+    }
     /// Ticks what runs at `n` and was running: the same as tick(n), without the detour for leaves.
     Status tick_again(RowId n) {
         const Row& row = rows_[n.index];
@@ -211,8 +239,12 @@ private:
         if (status != Status::running) { keep(n, status); }
         return status;
     }
-    Status tick_at_once(RowId n, const Row& row);
-    Status call(RowId n, const LeafCall& leaf, std::byte* self) {
+    /// Makes the struct of a leaf what it is on entry.
+    void refresh(const LeafCall& leaf, std::byte* self) const {
+        if (leaf.fresh_size == 0) { return; }
+        std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.fresh_size);
+    }
+    [[gnu::always_inline]] Status call(RowId n, const LeafCall& leaf, std::byte* self) {
         if (leaf.input_count != 0 && !read_inputs(n, leaf, self)) { return Status::idle; }
         s_.last_leaf = n;
         const Status status = leaf.type->tick(self, host_, tick_);

@@ -89,7 +89,7 @@ Status Stepper::tick_in_order(RowId n, const Row& row) {
 
     while (child != last) {
         const bool fresh = yields && status_[child.index] == Status::idle;
-        const Status status = tick(child);
+        const Status status = tick_child(child);
         const RowId next = rows_[child.index].end;
         switch (status) {
         case Status::running: memory = child.index | seen; return status;
@@ -127,7 +127,7 @@ Status Stepper::tick_reactive(RowId n) {
     bool all_skipped = true;
     store(n, Status::running);
     for (RowId child = first_child(n); child != last; child = rows_[child.index].end) {
-        const Status status = tick(child);
+        const Status status = tick_child(child);
         switch (status) {
         case Status::running:
             for (const RowId other : children(p_, n)) {

@@ -241,6 +241,7 @@ std::uint32_t Builder::add_call(const LeafType& type) {
     bytes.resize(call.offset + type.size);
     // the table is aligned as strictly as any leaf; the gaps between members stay zero
     type.construct(bytes.data() + call.offset);
+    call.fresh_size = type.ports.empty() && type.state.empty() ? 0 : type.size;
     call.first_input = static_cast<std::uint32_t>(program.live_inputs.size());
     call.first_output = static_cast<std::uint32_t>(program.bound_outputs.size());
     if (type.host_tag != nullptr) { program.host = &registry_.host(); }
