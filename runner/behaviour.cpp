@@ -78,7 +78,12 @@ std::optional<Behaviour> read_behaviour(const std::string& file, const LoadArgum
                                         const Registry& registry, Streams& streams) {
     std::optional<std::string> text = read_text(file, streams);
     if (!text) { return {}; }
-    Behaviour behaviour{{shown_name(file), std::move(*text)}, {}};
+    return compile_behaviour({shown_name(file), std::move(*text)}, arguments, registry, streams);
+}
+
+Behaviour compile_behaviour(Source source, const LoadArguments& arguments, const Registry& registry,
+                            Streams& streams) {
+    Behaviour behaviour{std::move(source), {}};
     FileReader reader(arguments, streams.files);
     LoadOptions options{.reader = &reader, .main_tree = arguments.main_tree};
     for (const std::string& given : arguments.set) {
@@ -104,16 +109,20 @@ std::optional<Document> load_document(const std::string& file, Streams& streams,
     exit = Exit::file;
     std::optional<std::string> text = read_text(file, streams);
     if (!text) { return {}; }
+    return parse_document({shown_name(file), std::move(*text)}, streams, exit);
+}
+
+std::optional<Document> parse_document(Source source, Streams& streams, Exit& exit) {
     Diagnostics diagnostics;
-    std::optional<Document> document = read({shown_name(file), std::move(*text)}, diagnostics);
+    std::optional<Document> document = read(source, diagnostics);
     diagnostics.sort();
     show(diagnostics, streams);
     exit = Exit::no;
     if (!document || !diagnostics.ok()) { return {}; }
     if (!file_kind(*document)) {
         complain(streams, exit,
-                 shown_name(file) + " is neither a tree file, with the root element <root>, nor a "
-                                    "machine, with the root element <scxml>");
+                 source.name + " is neither a tree file, with the root element <root>, nor a "
+                               "machine, with the root element <scxml>");
         return {};
     }
     exit = Exit::yes;

@@ -27,6 +27,7 @@ struct LoadArguments {
     std::string main_tree;              ///< --tree ID; empty: what the file says
     std::vector<std::string> set;       ///< --set name=value
     std::vector<std::string> packages;  ///< --ros-pkg NAME=FOLDER
+    std::vector<std::string> nodes;     ///< --nodes FILE, of commands that have it
 };
 
 /// Adds --tree, --set and --ros-pkg to a command.
@@ -63,12 +64,19 @@ struct Behaviour {
 std::optional<Behaviour> read_behaviour(const std::string& file, const LoadArguments& arguments,
                                         const Registry& registry, Streams& streams);
 
+/// Compiles what was read, with the files it includes.
+Behaviour compile_behaviour(Source source, const LoadArguments& arguments, const Registry& registry,
+                            Streams& streams);
+
 /// Reads and compiles a file that is to be run; none after messages, with what to return in `exit`.
 std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
                                         const Registry& registry, Streams& streams, Exit& exit);
 
 /// The file as a document, before any check of what it means; none after messages.
 std::optional<Document> load_document(const std::string& file, Streams& streams, Exit& exit);
+
+/// The same of a text that was read.
+std::optional<Document> parse_document(Source source, Streams& streams, Exit& exit);
 
 /// How messages call a file: "standard input" for "-".
 std::string shown_name(const std::string& file);

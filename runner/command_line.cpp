@@ -74,6 +74,15 @@ constexpr std::array commands{
             "  trellis show trees/roomba.xml --svg tree.svg\n"
             "  trellis show trees/roomba.xml --dot - | dot -Tpdf > tree.pdf\n",
             prepare<ShowArguments>},
+    Command{"try", "step a behaviour by hand, with a robot or without",
+            "  trellis try trees/roomba.xml\n"
+            "  trellis try trees/roomba.xml --world none --outcomes MoveForward=RRS\n"
+            "  printf 'tick 3\\nstate\\n' | trellis try machines/roomba.scxml\n",
+            prepare<TryArguments>},
+    Command{"fmt", "lay files out evenly",
+            "  trellis fmt my_tree.xml\n"
+            "  trellis fmt --check trees/*.xml machines/*.scxml\n",
+            prepare<FmtArguments>},
     Command{"compare", "run two behaviours side by side and say where they part",
             "  trellis compare machines/roomba.scxml trees/roomba.xml\n"
             "  trellis compare before.xml after.xml --seeds 20 --time 600\n",

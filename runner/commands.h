@@ -102,6 +102,29 @@ struct SchemaArguments {
 void add_options(CLI::App& app, SchemaArguments& arguments);
 Exit execute(const SchemaArguments& arguments, Streams& streams);
 
+/// trellis try: a behaviour stepped by commands from standard input.
+struct TryArguments {
+    std::string file;
+    std::vector<std::string> outcomes;  ///< --outcomes NAME=SFRK
+    bool no_world = false;              ///< --world none
+    std::int64_t seed = 0;
+    bool ascii = false;
+    LoadArguments load;
+};
+void add_options(CLI::App& app, TryArguments& arguments);
+/// Yes; no if the file is invalid, and, unless someone types, if a command made no sense or a tick
+/// failed.
+Exit execute(const TryArguments& arguments, Streams& streams);
+
+/// trellis fmt: lays files out evenly.
+struct FmtArguments {
+    std::vector<std::string> files;
+    bool check = false;  ///< writes nothing
+};
+void add_options(CLI::App& app, FmtArguments& arguments);
+/// Yes; with `check` no if a file is not laid out so.
+Exit execute(const FmtArguments& arguments, Streams& streams);
+
 /// trellis trace diff: whether two recorded runs are the same.
 struct TraceDiffArguments {
     std::string a, b;

@@ -1,11 +1,9 @@
 // trellis convert: from one spelling of a document to the other, or to the canonical form of its
 // own.
 // SPDX-License-Identifier: MIT
-#include "load/json.h"
-#include "load/load.h"
-#include "load/xml.h"
 #include "runner/choice.h"
 #include "runner/commands.h"
+#include "runner/respelled.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,16 +16,6 @@ std::optional<Document::Spelling> spelling_of(std::string_view path) {
     if (path.ends_with(".json")) { return Document::Spelling::json; }
     if (path.ends_with(".xml") || path.ends_with(".scxml")) { return Document::Spelling::xml; }
     return {};
-}
-
-/// Whether reading `text` gives the document that it was written from.
-bool says_the_same(const Document& document, FileKind kind, Document::Spelling spelling,
-                   const std::string& text) {
-    Diagnostics diagnostics;
-    const std::optional<Document> again = read({"", text}, diagnostics);
-    if (!again || !diagnostics.ok()) { return false; }
-    return spelling == Document::Spelling::xml ? same_content(*again, document)
-                                               : same_content(*again, canonical(document, kind));
 }
 
 }  // namespace
@@ -53,15 +41,9 @@ Exit execute(const ConvertArguments& arguments, Streams& streams) {
     Exit exit = Exit::yes;
     const std::optional<Document> document = load_document(arguments.in, streams, exit);
     if (!document) { return exit; }
-    const FileKind kind = *file_kind(*document);
-    const std::string text =
-        *to == Document::Spelling::xml ? write_xml(*document) : write_json(*document, kind);
-    if (!says_the_same(*document, kind, *to, text)) {
-        return complain(streams, Exit::internal,
-                        "internal error: the converted text would not mean the same; nothing was "
-                        "written");
-    }
-    return write_text(arguments.out, text, streams) ? Exit::yes : Exit::file;
+    const std::optional<std::string> text = respelled(*document, *file_kind(*document), *to);
+    if (!text) { return complain(streams, Exit::internal, respelling_failed); }
+    return write_text(arguments.out, *text, streams) ? Exit::yes : Exit::file;
 }
 
 }  // namespace trellis

@@ -73,8 +73,13 @@ int main(int argc, char** argv) {
     std::ostream out(&output);
     trellis::DiskFiles files;
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-    const trellis::Exit exit =
-        trellis::run_program(words, {std::cin, out, std::cerr, files}, terminal());
+    const trellis::Exit exit = trellis::run_program(words,
+                                                    {.in = std::cin,
+                                                     .out = out,
+                                                     .err = std::cerr,
+                                                     .files = files,
+                                                     .prompt = ::isatty(STDIN_FILENO) != 0},
+                                                    terminal());
     out.flush();
     if (output.error() == 0) { return static_cast<int>(exit); }
     if (output.error() != EPIPE) {

@@ -50,6 +50,7 @@ struct Streams {
     std::ostream& err;  ///< messages
     Files& files;
     bool colour = false;  ///< of messages
+    bool prompt = false;  ///< someone types standard input
 };
 
 /// The content of the file, or of standard input for "-"; none after a message.

@@ -1,15 +1,30 @@
 // trellis validate: all findings about all files.
 // SPDX-License-Identifier: MIT
+#include "load/check.h"
+#include "load/grammar.h"
 #include "runner/commands.h"
+#include "runner/declarations.h"
 #include "runner/json_writer.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <ostream>
+#include <set>
+#include <utility>
 
 namespace trellis {
 
 namespace {
+
+/// The leaves that the program uses and that are only declared, each once.
+std::set<std::string> declared_leaves(const Program& program) {
+    std::set<std::string> names;
+    for (const LeafCall& call : program.calls) {
+        if (is_declared(*call.type)) { names.insert(call.type->name); }
+    }
+    return names;
+}
 
 /// Rows a document wrote; the outermost row is the file itself.
 std::size_t node_count(const Program& program) {
@@ -23,12 +38,43 @@ void add_finding(JsonWriter& json, const Diagnostics& diagnostics, const Diagnos
     json.text("id", d.id).text("message", d.message).end_object();
 }
 
-void add_file(JsonWriter& json, const Behaviour& behaviour) {
-    json.begin_object().text("file", behaviour.source.name);
-    json.boolean("ok", behaviour.program.has_value());
-    if (behaviour.program) {
+/// A file that was validated.
+struct Validated {
+    Behaviour behaviour;
+    std::size_t declarations = 0;  ///< of a palette
+    bool palette = false;
+
+    bool ok() const { return palette ? behaviour.diagnostics.ok() : behaviour.program.has_value(); }
+};
+
+// A file that is only a palette has nothing to compile.
+Validated validated(Behaviour behaviour, const Registry& registry) {
+    Diagnostics diagnostics;
+    const std::optional<Document> document = read(behaviour.source, diagnostics);
+    if (!document || !is_palette(*document)) { return {std::move(behaviour)}; }
+    check(*document, tree_grammar(registry), diagnostics);
+    diagnostics.sort();
+    Validated result{{std::move(behaviour.source), {}, std::move(diagnostics)}};
+    result.palette = true;
+    for (const ElementId models : document->children(document->root())) {
+        result.declarations += document->child_count(models);
+    }
+    return result;
+}
+
+void add_file(JsonWriter& json, const Validated& validated) {
+    const Behaviour& behaviour = validated.behaviour;
+    json.begin_object().text("file", behaviour.source.name).boolean("ok", validated.ok());
+    if (validated.palette) {
+        json.text("kind", "palette").count("nodes", validated.declarations);
+    } else if (behaviour.program) {
         json.text("kind", behaviour.program->is_machine() ? "machine" : "tree");
         json.count("nodes", node_count(*behaviour.program));
+        json.begin_array("declared");
+        for (const std::string& name : declared_leaves(*behaviour.program)) {
+            json.element(name);
+        }
+        json.end_array();
     }
     json.begin_array("diagnostics");
     for (const Diagnostic& d : behaviour.diagnostics.all()) {
@@ -37,38 +83,56 @@ void add_file(JsonWriter& json, const Behaviour& behaviour) {
     json.end_array().end_object();
 }
 
+/// "a.xml: ok, 3 nodes; declared only: Grasp, Release".
+std::string summary(const Validated& validated) {
+    const std::string& name = validated.behaviour.source.name;
+    if (validated.palette) {
+        return name + ": ok, a palette of " + std::to_string(validated.declarations) +
+               (validated.declarations == 1 ? " node\n" : " nodes\n");
+    }
+    const Program& program = *validated.behaviour.program;
+    const std::size_t nodes = node_count(program);
+    std::string out = name + ": ok, " + std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
+    std::string_view before = "; declared only: ";
+    for (const std::string& leaf : declared_leaves(program)) {
+        out += std::string(before) + leaf;
+        before = ", ";
+    }
+    return out + '\n';
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, ValidateArguments& arguments) {
     app.add_option("FILE", arguments.files, "tree and machine files; - is standard input")
         ->required();
     add_options(app, arguments.load);
+    add_nodes_option(app, arguments.load);
     add_format(app, arguments.format);
 }
 
 Exit execute(const ValidateArguments& arguments, Streams& streams) {
-    const RoombaRegistry registry;
     Exit exit = Exit::yes;
     JsonWriter json;
     json.begin_object().begin_array("files");
     for (const std::string& file : arguments.files) {
-        const std::optional<Behaviour> behaviour =
-            read_behaviour(file, arguments.load, registry, streams);
+        // what one file declares is not known in the next
+        RoombaRegistry registry;
+        Exit one = Exit::yes;
+        std::optional<Behaviour> behaviour =
+            read_declaring(file, arguments.load, registry, streams, one);
         if (!behaviour) {
-            exit = Exit::file;
+            exit = std::max(exit, one);
             continue;
         }
-        if (!behaviour->program && exit == Exit::yes) { exit = Exit::no; }
+        const Validated result = validated(std::move(*behaviour), registry);
+        if (!result.ok()) { exit = std::max(exit, Exit::no); }
         if (arguments.format == Format::json) {
-            add_file(json, *behaviour);
+            add_file(json, result);
             continue;
         }
-        show(behaviour->diagnostics, streams);
-        if (behaviour->program) {
-            const std::size_t nodes = node_count(*behaviour->program);
-            streams.out << behaviour->source.name << ": ok, " << nodes
-                        << (nodes == 1 ? " node\n" : " nodes\n");
-        }
+        show(result.behaviour.diagnostics, streams);
+        if (result.ok()) { streams.out << summary(result); }
     }
     json.end_array().boolean("ok", exit == Exit::yes).end_object();
     if (arguments.format == Format::json) { streams.out << std::move(json).finish(); }

@@ -363,6 +363,10 @@ public:
         return LeafBuilder<Leaf>(type);
     }
 
+    /// Adds a leaf whose description was not made from a struct. Its ports lie in `size` bytes that
+    /// are zero before `construct`.
+    void add(LeafType type) { types_.push_back(std::move(type)); }
+
     /// Shows a member of the host to expressions, as `_x.NAME`.
     template <class Host, class T>
     void sensor(std::string name, T Host::*member, std::string unit, std::string doc) {

@@ -18,19 +18,6 @@ bool is_json(std::string_view text) {
     return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
 }
 
-/// The variables that a host may set: of the main tree or the machine under their own name, of
-/// subtrees under "path/name".
-std::string path_of(const Program& program, const Slot& slot) {
-    std::string path = slot.name;
-    for (RowId n = slot.scope; n && program.at(n).op == Op::subtree;) {
-        path.insert(0, program.names[n.index] + '/');
-        do {
-            n = program.at(n).parent;
-        } while (program.at(n).op != Op::subtree && program.at(n).op != Op::tree);
-    }
-    return path;
-}
-
 void give(Builder& builder) {
     Program& program = builder.program;
     for (const auto& [name, text] : builder.options().given) {
@@ -60,6 +47,17 @@ void warn_of_unused(const Substitutions& rules, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+std::string path_of(const Program& program, const Slot& slot) {
+    std::string path = slot.name;
+    for (RowId n = slot.scope; n && program.at(n).op == Op::subtree;) {
+        path.insert(0, program.names[n.index] + '/');
+        do {
+            n = program.at(n).parent;
+        } while (program.at(n).op != Op::subtree && program.at(n).op != Op::tree);
+    }
+    return path;
+}
 
 FileKind kind_of(const Document& document) {
     const std::string_view root = document.name(document.root());

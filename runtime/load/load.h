@@ -54,6 +54,10 @@ struct LoadOptions {
 std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
                              const LoadOptions& options = {});
 
+/// The name under which LoadOptions::given sets a variable: its own, behind that of the subtrees it
+/// is in, "path/name".
+std::string path_of(const Program& program, const Slot& slot);
+
 /// What the document is; one with another root is taken for what that resembles more.
 FileKind kind_of(const Document& document);
 

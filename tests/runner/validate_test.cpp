@@ -55,5 +55,6 @@ TEST_CASE("validate: as JSON, with the place of each finding") {
         "file": "b.xml", "line": 3, "column": 6, "severity": "error", "id": "unknown-node",
         "message": "unknown node \"Sequenc\"; did you mean \"Sequence\"?"})"));
     CHECK(report["files"][1] == nlohmann::json::parse(R"({
-        "file": "a.xml", "ok": true, "kind": "tree", "nodes": 1, "diagnostics": []})"));
+        "file": "a.xml", "ok": true, "kind": "tree", "nodes": 1, "declared": [],
+        "diagnostics": []})"));
 }

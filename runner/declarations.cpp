@@ -1,0 +1,123 @@
+// Ports without members, and where they are declared.
+// SPDX-License-Identifier: MIT
+#include "runner/declarations.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace trellis {
+
+namespace {
+
+/// Space for one declared port: a value of any type, and whether it is there.
+struct PortSpace {
+    alignas(16) std::byte value[24];
+    bool present;
+};
+
+PortType port_type(std::string_view name) {
+    for (const PortType type :
+         {PortType::boolean, PortType::int32, PortType::int64, PortType::real, PortType::text}) {
+        if (name == name_of(type)) { return type; }
+    }
+    return PortType::any;
+}
+
+PortDirection port_direction(std::string_view element) {
+    return element == "output_port"  ? PortDirection::output
+           : element == "inout_port" ? PortDirection::inout
+                                     : PortDirection::input;
+}
+
+LeafType declared_leaf(const Document& document, ElementId model) {
+    LeafType leaf;
+    leaf.name = document.value(model, "ID");
+    leaf.doc = document.doc(model);
+    leaf.condition = document.name(model) == "Condition";
+    leaf.synchronous = leaf.condition;
+    leaf.align = alignof(PortSpace);
+    // all bytes of a struct are zero before it is constructed: no values, no texts
+    leaf.construct = [](std::byte*) {};
+    for (const ElementId e : document.children(model)) {
+        if (!document.name(e).ends_with("_port")) { continue; }
+        Port& port = leaf.ports.emplace_back();
+        port.name = document.value(e, "name");
+        port.doc = document.text(e);
+        port.type = port_type(document.value(e, "type"));
+        port.direction = port_direction(document.name(e));
+        port.offset = leaf.size;
+        port.present = leaf.size + static_cast<std::uint32_t>(offsetof(PortSpace, present));
+        leaf.size += static_cast<std::uint32_t>(sizeof(PortSpace));
+    }
+    // structs of different leaves lie at different places
+    leaf.size = std::max(leaf.size, 1U);
+    return leaf;
+}
+
+bool has_child(const Document& document, std::string_view name) {
+    for (const ElementId e : document.children(document.root())) {
+        if (document.name(e) == name) { return true; }
+    }
+    return false;
+}
+
+/// The palette in a file of --nodes; false after messages.
+bool declare_file(const std::string& file, Registry& registry, Streams& streams, Exit& exit) {
+    const std::optional<Document> document = load_document(file, streams, exit);
+    if (!document) { return false; }
+    if (!has_child(*document, "TreeNodesModel")) {
+        exit = complain(streams, Exit::no, shown_name(file) + " has no TreeNodesModel");
+        return false;
+    }
+    declare_leaves(*document, registry);
+    return true;
+}
+
+}  // namespace
+
+void add_nodes_option(CLI::App& app, LoadArguments& arguments) {
+    app.add_option("--nodes", arguments.nodes,
+                   "take the leaves that the TreeNodesModel of a file declares as known")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+}
+
+void declare_leaves(const Document& document, Registry& registry) {
+    for (const ElementId models : document.children(document.root())) {
+        if (document.name(models) != "TreeNodesModel") { continue; }
+        for (const ElementId model : document.children(models)) {
+            const std::string_view kind = document.name(model);
+            const std::string_view id = document.value(model, "ID");
+            const bool leaf = kind == "Action" || kind == "Condition";
+            if (!leaf || id.empty() || registry.find(id) != nullptr) { continue; }
+            registry.add(declared_leaf(document, model));
+        }
+    }
+}
+
+bool is_palette(const Document& document) {
+    return file_kind(document) == FileKind::tree && has_child(document, "TreeNodesModel") &&
+           !has_child(document, "BehaviorTree") && !has_child(document, "include");
+}
+
+std::optional<Behaviour> read_declaring(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit) {
+    for (const std::string& nodes : arguments.nodes) {
+        if (!declare_file(nodes, registry, streams, exit)) { return {}; }
+    }
+    exit = Exit::file;
+    std::optional<std::string> text = read_text(file, streams);
+    if (!text) { return {}; }
+    exit = Exit::yes;
+    Source source{shown_name(file), std::move(*text)};
+    Diagnostics unused;  // compiling says it all again
+    if (const std::optional<Document> document = read(source, unused)) {
+        declare_leaves(*document, registry);
+    }
+    return compile_behaviour(std::move(source), arguments, registry, streams);
+}
+
+}  // namespace trellis

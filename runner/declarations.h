@@ -1,0 +1,36 @@
+// Leaves that are known only by their declaration in a <TreeNodesModel>, as those of another robot:
+// files that use them can be validated and tried, not run. Covered by
+// tests/runner/declarations_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "runner/behaviour.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trellis {
+
+/// Adds --nodes to a command.
+void add_nodes_option(CLI::App& app, LoadArguments& arguments);
+
+/// Registers the Actions and Conditions that the <TreeNodesModel>s of a document declare, with
+/// their ports, but for those that the registry already has. All their inputs may be absent.
+void declare_leaves(const Document& document, Registry& registry);
+
+/// Whether a leaf of the registry is only declared: it has no function to tick.
+inline bool is_declared(const LeafType& type) {
+    return type.tick == nullptr;
+}
+
+/// A tree file that has a palette and no tree: what `trellis nodes --xml` writes.
+bool is_palette(const Document& document);
+
+/// As read_behaviour(), with the leaves known that the files of --nodes and the file itself
+/// declare. None after messages, with what to return in `exit`; what is wrong in the file itself is
+/// not told.
+std::optional<Behaviour> read_declaring(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit);
+
+}  // namespace trellis
