@@ -10,11 +10,11 @@ namespace trellis {
 
 Places::Places(const Program& program, const Document& document, std::uint32_t file)
     : program_(&program), document_(&document), elements_(program.rows.size()) {
-    using Place = std::pair<std::uint64_t, std::uint32_t>;  // line and column, element
+    using Spot = std::pair<std::uint64_t, std::uint32_t>;  // line and column, element
     const auto key = [](std::uint32_t line, std::uint32_t column) {
         return std::uint64_t{line} << 32 | column;
     };
-    std::vector<Place> places;
+    std::vector<Spot> places;
     for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
         const Where& where = document.elements[i].where;
         places.emplace_back(key(where.line, where.column), i);
@@ -24,7 +24,7 @@ Places::Places(const Program& program, const Document& document, std::uint32_t f
         const Origin& origin = program.origins[i];
         if (origin.file != file || origin.line == 0) { continue; }
         const std::uint64_t wanted = key(origin.line, origin.column);
-        const auto found = std::lower_bound(places.begin(), places.end(), Place{wanted, 0});
+        const auto found = std::lower_bound(places.begin(), places.end(), Spot{wanted, 0});
         if (found != places.end() && found->first == wanted) { elements_[i] = {found->second}; }
     }
 }
