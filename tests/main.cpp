@@ -1,4 +1,7 @@
-// The main function of every test executable; doctest writes it. No test lives here.
+// The main function of every test executable. No test lives here.
 // SPDX-License-Identifier: MIT
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
+
+int main(int argc, char** argv) {
+    return doctest::Context(argc, argv).run();
+}
