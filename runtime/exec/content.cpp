@@ -116,7 +116,9 @@ bool Stepper::log(const Action& action) {
         if (!text.empty()) { text += ": "; }
         append_text(text, value);
     }
-    trace({.kind = TraceEvent::Kind::log, .row = s_.session.atom, .text = text});
+    // between leaving and entering no state is active
+    const RowId row = s_.session.atom ? s_.session.atom : RowId{0};
+    trace({.kind = TraceEvent::Kind::log, .row = row, .text = text});
     return true;
 }
 

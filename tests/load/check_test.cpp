@@ -123,7 +123,7 @@ TEST_CASE("check: machines inside <content> are checked as machines") {
     CHECK(machine("<state><invoke><content><scxml version='1.0'><stat/></scxml></content></invoke>"
                   "</state>") ==
           "~ 2:26 <scxml> needs <state>, <parallel> or <final> [missing-part]\n"
-          "2:46 unknown element \"stat\"; did you mean \"state\"? [unknown-element]\n");
+          "2:47 unknown element \"stat\"; did you mean \"state\"? [unknown-element]\n");
     CHECK(machine("<state><onentry><send event='e'><content><stat/></content></send></onentry>"
                   "</state>")
               .empty());
