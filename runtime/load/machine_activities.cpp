@@ -255,7 +255,9 @@ BlockId MachineCompiler::finalize(ElementId invoke, ElementId e, RowId state) {
         locations.emplace_back(document().value(c, "name"), location);
     }
     const BlockId begin = next_action();
-    for (const auto& [name, attribute] : locations) {
+    for (const auto& [member, at] : locations) {
+        const std::string& name = member;  // clang 14 captures no structured bindings
+        const Attribute* const attribute = at;
         const std::string value = "_event.data['" + name + "']";
         const std::string is_there = "isDefined(" + value + ')';
         const auto code = [&](const std::string& text) {

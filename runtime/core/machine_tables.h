@@ -1,0 +1,212 @@
+// What a Program holds of a machine besides its rows: events, transitions, states, messages,
+// activities, executable content. Tables only; what they mean when they are run is in exec. Covered
+// by tests/load/compile_machine_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/ids.h"
+
+#include <cstdint>
+#include <string>
+
+namespace trellis {
+
+/// A name of events, or a prefix of names. The table is a tree in document order of dotted tokens:
+/// descriptor d matches event e when d <= e < end(d) (SCXML 3.12.1). Row 0 is the empty name: as a
+/// descriptor it is "*".
+struct EventName {
+    std::string text;  ///< whole: "done.invoke.drive"
+    EventId end;
+
+    friend bool operator==(const EventName&, const EventName&) = default;
+};
+
+/// What a condition asks, where it is one of those that robots ask in every cycle: then it is
+/// answered without evaluating code. `code` always says the same.
+struct Condition {
+    enum class Form : std::uint8_t {
+        always,            ///< there is none
+        sensor,            ///< a boolean sensor, at byte `at` of the host
+        elapsed,           ///< elapsed() > `limit`, of the state of row `at`
+        elapsed_variable,  ///< the same, with the real that `variable` holds
+        elapsed_derived,   ///< the same, with `derived`
+        code,              ///< anything else
+    };
+    Form form = Form::always;
+    std::uint32_t at = 0;
+    double limit = 0.0;  ///< s
+    SlotId variable = {};
+    DerivedId derived = {};
+    CodeId code = {};
+
+    friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+/// One <transition>, or the content of an <initial>. Those of one source are neighbours, in
+/// document order.
+struct Transition {
+    RowId source;
+    std::uint32_t first_event = 0, event_count = 0;    ///< Program::descriptors; 0: eventless
+    std::uint32_t first_target = 0, target_count = 0;  ///< Program::targets; 0: targetless
+    Condition guard = {};
+    BlockId block = {};  ///< none: no content
+    /// The events that the only descriptor matches; none unless there is exactly one.
+    EventId event_begin = {}, event_end = {};
+    bool internal = false;  ///< type="internal", and source and targets allow it (SCXML 3.13)
+    /// A target is a history: what it stands for decides the domain when the transition is taken.
+    bool to_history = false;
+    RowId domain = {};  ///< the row whose descendants are left; none if targetless
+
+    friend bool operator==(const Transition&, const Transition&) = default;
+};
+
+/// What a machine, state, parallel or final row has besides its children. Row::arg indexes
+/// Program::states.
+struct StateInfo {
+    std::uint32_t first_transition = 0, transition_count = 0;
+    std::uint32_t first_entry = 0, entry_count = 0;  ///< Program::blocks: <onentry>, in order
+    std::uint32_t first_exit = 0, exit_count = 0;    ///< Program::blocks: <onexit>, in order
+    TransitionId initial;  ///< compound states and machines: where they begin; else none
+    RowId outer;           ///< the next state around it that has transitions; none if there is none
+    /// Program::quiet_guards: the guards that the event `tick` asks in this state and around it, in
+    /// order, if none of them needs code; then the state is quiet in a cycle in which none holds.
+    std::uint32_t first_guard = 0, guard_count = 0;
+    bool may_be_quiet = false;
+    bool atomic = false;  ///< it has no states inside
+    /// Numbers of invoke and history rows: in this order they precede the states among children.
+    std::uint32_t invokes = 0, histories = 0;
+    EventId done;        ///< compound and parallel states: done.state.ID
+    PayloadId donedata;  ///< final states: what the event of their parent carries
+
+    friend bool operator==(const StateInfo&, const StateInfo&) = default;
+};
+
+/// One <history>. Row::arg indexes Program::histories.
+struct History {
+    bool deep = false;
+    TransitionId initial = {};  ///< where it leads while nothing is stored
+
+    friend bool operator==(const History&, const History&) = default;
+};
+
+/// A text that a document gives, or gives an expression for.
+struct LiveText {
+    std::string text;
+    CodeId code;  ///< none: it is `text`
+
+    explicit operator bool() const { return code || !text.empty(); }
+    friend bool operator==(const LiveText&, const LiveText&) = default;
+};
+
+/// Where an idlocation writes to: a variable, or a place below one through the temporary that its
+/// code stores. Neither: there is no idlocation.
+struct Place {
+    SlotId slot;
+    CodeId store;
+
+    explicit operator bool() const { return slot || store; }
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What an event or an invocation carries (SCXML 5.5 to 5.7): members of an object, or a whole.
+struct Payload {
+    std::uint32_t first_item = 0, item_count = 0;  ///< Program::payload_items
+    CodeId content;                                ///< the whole; then there are no items
+
+    friend bool operator==(const Payload&, const Payload&) = default;
+};
+
+/// One name of a namelist, or one <param>.
+struct PayloadItem {
+    std::string name;
+    CodeId code;
+    bool listed = false;  ///< of a namelist: if it fails, so does the whole message
+
+    friend bool operator==(const PayloadItem&, const PayloadItem&) = default;
+};
+
+/// One <send> (SCXML 6.2).
+struct Send {
+    EventId event;       ///< its name, or none
+    CodeId event_code;   ///< eventexpr
+    LiveText target;     ///< empty: the session itself
+    LiveText type;       ///< empty: SCXML's own processor
+    double delay = 0.0;  ///< s
+    CodeId delay_code;   ///< delayexpr
+    std::string id;      ///< empty: none, or made for `id_place`
+    Place id_place;
+    PayloadId payload;
+
+    friend bool operator==(const Send&, const Send&) = default;
+};
+
+/// The variables of one <foreach>.
+struct Loop {
+    SlotId item, index;
+
+    friend bool operator==(const Loop&, const Loop&) = default;
+};
+
+/// One <invoke>. Row::arg indexes Program::invokes; a leaf or tree is its only child row, a machine
+/// is a program of its own.
+struct InvokeInfo {
+    std::string id;
+    EventId done;                        ///< machines: done.invoke.ID
+    EventId done_success, done_failure;  ///< leaves, trees: done.invoke.ID.success and .failure
+    std::uint32_t first_param = 0, param_count = 0;  ///< Program::params; trees only
+    // the rest is about machines
+    MachineId machine = {};  ///< Program::machines of the outermost; none if `source` says it
+    CodeId source = {};      ///< srcexpr, or expr of <content>: gives one of Program::sources
+    CodeId type = {};        ///< typeexpr
+    PayloadId payload = {};  ///< values of the machine's variables
+    Place id_place = {};     ///< idlocation
+    BlockId finalize = {};   ///< done before an event from the machine is answered
+    bool autoforward = false;
+
+    friend bool operator==(const InvokeInfo&, const InvokeInfo&) = default;
+};
+
+/// A machine that the text `source` of a srcexpr or a <content expr> stands for.
+struct MachineSource {
+    std::string source;
+    MachineId machine;
+
+    friend bool operator==(const MachineSource&, const MachineSource&) = default;
+};
+
+/// A <param> of an invoked tree: written to an entry of its blackboard before each tick.
+struct InvokeParam {
+    SlotId slot;
+    CodeId code;
+
+    friend bool operator==(const InvokeParam&, const InvokeParam&) = default;
+};
+
+/// One step of executable content (SCXML 4). A block ends with `end`.
+struct Action {
+    enum class Kind : std::uint8_t {
+        end,         ///< of the block
+        run,         ///< <script>: evaluate `code`
+        assign,      ///< <assign>: evaluate `code`, then run `store` on the result
+        initialise,  ///< <data>: give `slot` the value of `code` unless the host has set it
+        raise,       ///< put `event` into the internal queue
+        log,         ///< report label `arg` and the value of `code` (none: the label alone)
+        unless,      ///< go on at action `go_to` if `code` is false (<if>, <elseif>)
+        jump,        ///< go on at action `go_to` (the end of a branch)
+        each,        ///< <foreach>: run the actions up to their `end` with the variables of loop
+                     ///< `arg` for each element of `code`, then go on at `go_to`
+        send,        ///< <send> number `arg`
+        cancel,      ///< <cancel> the messages with the id `code`
+        refuse,      ///< raise error.execution: label `arg` says why
+    };
+    Kind kind = Kind::end;
+    CodeId code = {}, store = {};
+    SlotId slot = {};
+    EventId event = {};
+    BlockId go_to = {};
+    std::uint32_t arg = 0;  ///< Program::labels, loops or sends
+
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+}  // namespace trellis
