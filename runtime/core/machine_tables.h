@@ -6,8 +6,10 @@
 
 #include "core/ids.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace trellis {
 
@@ -20,6 +22,15 @@ struct EventName {
 
     friend bool operator==(const EventName&, const EventName&) = default;
 };
+
+/// The order of Program::events, token by token: a name stands right before those it is a prefix
+/// of.
+inline bool token_less(std::string_view a, std::string_view b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+        const auto rank = [](char c) { return c == '.' ? 0 : static_cast<unsigned char>(c) + 1; };
+        return rank(x) < rank(y);
+    });
+}
 
 /// What a condition asks, where it is one of those that robots ask in every cycle: then it is
 /// answered without evaluating code. `code` always says the same.

@@ -17,23 +17,23 @@ std::string session_address(std::uint32_t id) {
     return std::string(session_prefix) + std::to_string(id);
 }
 
-// The name is looked up token by token, so an unknown one ends at its longest known prefix.
+// The row of the name, or of its longest prefix that has one: each is looked up.
 Event event_named(const Program& program, std::string_view name) {
-    EventId found{0};
-    for (EventId at{1}; at < program.events[0].end;) {
-        const EventName& known = program.events[at.index];
-        const bool prefix = name.starts_with(known.text) &&
-                            (name.size() == known.text.size() || name[known.text.size()] == '.');
-        if (prefix) {
-            found = at;
-            at = {at.index + 1};
-        } else {
-            at = known.end;
+    const auto by_name = [](const EventName& row, std::string_view wanted) {
+        return token_less(row.text, wanted);
+    };
+    Event event{.name = {0}, .type = Event::Type::external};
+    for (std::string_view prefix = name; !prefix.empty();) {
+        const auto row =
+            std::lower_bound(program.events.begin(), program.events.end(), prefix, by_name);
+        if (row != program.events.end() && row->text == prefix) {
+            event.name = {static_cast<std::uint32_t>(row - program.events.begin())};
+            break;
         }
-        if (at >= program.events[found.index].end) { break; }
+        const std::size_t dot = prefix.rfind('.');
+        prefix = dot == std::string_view::npos ? std::string_view() : prefix.substr(0, dot);
     }
-    Event event{.name = found, .type = Event::Type::external};
-    if (program.events[found.index].text != name) { event.unknown.set_text(name); }
+    if (program.events[event.name.index].text != name) { event.unknown.set_text(name); }
     return event;
 }
 

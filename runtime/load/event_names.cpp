@@ -7,10 +7,7 @@
 namespace trellis {
 
 bool EventNames::ByToken::operator()(std::string_view a, std::string_view b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-        const auto rank = [](char c) { return c == '.' ? 0 : static_cast<unsigned char>(c) + 1; };
-        return rank(x) < rank(y);
-    });
+    return token_less(a, b);
 }
 
 std::string_view EventNames::bare(std::string_view name) {
