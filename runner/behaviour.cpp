@@ -69,27 +69,27 @@ std::optional<Source> FileReader::read(std::string_view path, std::string_view f
     }
     const std::string file = (folder / fs::path(path)).lexically_normal().string();
     std::string why;
-    std::optional<std::string> text = files_.read(file, why);
+    std::optional<std::string> text = files_.read(file, DocumentLimits().bytes, why);
     if (!text) { return {}; }
     return Source{file, std::move(*text)};
 }
 
 std::optional<Behaviour> read_behaviour(const std::string& file, const LoadArguments& arguments,
                                         const Registry& registry, Streams& streams) {
-    std::optional<std::string> text = read_text(file, streams);
+    std::optional<std::string> text = read_text(file, streams, DocumentLimits().bytes);
     if (!text) { return {}; }
     return compile_behaviour({shown_name(file), std::move(*text)}, arguments, registry, streams);
 }
 
 Behaviour compile_behaviour(Source source, const LoadArguments& arguments, const Registry& registry,
                             Streams& streams) {
-    Behaviour behaviour{std::move(source), {}};
+    Behaviour behaviour{source.name, {}};
     FileReader reader(arguments, streams.files);
     LoadOptions options{.reader = &reader, .main_tree = arguments.main_tree};
     for (const std::string& given : arguments.set) {
         options.given.push_back(split(given));
     }
-    behaviour.program = load(behaviour.source, registry, behaviour.diagnostics, options);
+    behaviour.program = load(std::move(source), registry, behaviour.diagnostics, options);
     return behaviour;
 }
 
@@ -107,22 +107,23 @@ std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArgum
 
 std::optional<Document> load_document(const std::string& file, Streams& streams, Exit& exit) {
     exit = Exit::file;
-    std::optional<std::string> text = read_text(file, streams);
+    std::optional<std::string> text = read_text(file, streams, DocumentLimits().bytes);
     if (!text) { return {}; }
     return parse_document({shown_name(file), std::move(*text)}, streams, exit);
 }
 
 std::optional<Document> parse_document(Source source, Streams& streams, Exit& exit) {
     Diagnostics diagnostics;
-    std::optional<Document> document = read(source, diagnostics);
+    const std::string name = source.name;
+    std::optional<Document> document = read(std::move(source), diagnostics);
     diagnostics.sort();
     show(diagnostics, streams);
     exit = Exit::no;
     if (!document || !diagnostics.ok()) { return {}; }
     if (!file_kind(*document)) {
         complain(streams, exit,
-                 source.name + " is neither a tree file, with the root element <root>, nor a "
-                               "machine, with the root element <scxml>");
+                 name + " is neither a tree file, with the root element <root>, nor a "
+                        "machine, with the root element <scxml>");
         return {};
     }
     exit = Exit::yes;

@@ -54,9 +54,12 @@ private:
 
 /// A file as it was read and what became of it.
 struct Behaviour {
-    Source source;
+    std::string name;                ///< as messages show it
     std::optional<Program> program;  ///< none if there are errors
-    Diagnostics diagnostics = {};
+    Diagnostics diagnostics = {};    ///< which has the text
+
+    /// The file to read once more.
+    Source source() const { return {name, std::string(diagnostics.file_text(0))}; }
 };
 
 /// Reads and compiles a file, without a message about what is wrong in it; none, after a message,

@@ -23,9 +23,7 @@ public:
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
 
-    Entrant entrant() const {
-        return {behaviour_.source.name, *behaviour_.program, document_, labels_};
-    }
+    Entrant entrant() const { return {behaviour_.name, *behaviour_.program, document_, labels_}; }
 
 private:
     Behaviour behaviour_;
@@ -39,7 +37,7 @@ std::unique_ptr<Loaded> load_entrant(const std::string& file, const LoadArgument
     if (!behaviour) { return nullptr; }
     // what compiled can be read once more, without a finding
     Diagnostics diagnostics;
-    Document document = *read(behaviour->source, diagnostics);
+    Document document = *read(behaviour->source(), diagnostics);
     return std::make_unique<Loaded>(std::move(*behaviour), std::move(document));
 }
 

@@ -109,13 +109,19 @@ std::optional<Behaviour> read_declaring(const std::string& file, const LoadArgum
         if (!declare_file(nodes, registry, streams, exit)) { return {}; }
     }
     exit = Exit::file;
-    std::optional<std::string> text = read_text(file, streams);
+    std::optional<std::string> text = read_text(file, streams, DocumentLimits().bytes);
     if (!text) { return {}; }
     exit = Exit::yes;
-    Source source{shown_name(file), std::move(*text)};
-    Diagnostics unused;  // compiling says it all again
-    if (const std::optional<Document> document = read(source, unused)) {
+    Source source{shown_name(file), {}};
+    {
+        Diagnostics said;  // compiling says it all again, of what could be read
+        const std::optional<Document> document = read({source.name, std::move(*text)}, said);
+        if (!document) {
+            said.sort();
+            return Behaviour{std::move(source.name), {}, std::move(said)};
+        }
         declare_leaves(*document, registry);
+        source.text = said.file_text(0);
     }
     return compile_behaviour(std::move(source), arguments, registry, streams);
 }

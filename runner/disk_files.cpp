@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -117,13 +118,24 @@ std::unique_ptr<OutputFile> open_file(const std::string& path) {
 
 }  // namespace
 
-std::optional<std::string> DiskFiles::read(const std::string& path, std::string& why) {
+std::optional<std::string> DiskFiles::read(const std::string& path, std::size_t most,
+                                           std::string& why) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     std::string text;
     ssize_t n = -1;
     if (file >= 0) {
+        // room at once, for a regular file; others say that they are empty
+        struct stat info {};
+        if (::fstat(file, &info) == 0 && info.st_size > 0) {
+            text.reserve(std::min(static_cast<std::size_t>(info.st_size), most));
+        }
         std::array<char, 1 << 16> buffer;
         while ((n = ::read(file, buffer.data(), buffer.size())) > 0 || (n < 0 && errno == EINTR)) {
+            if (n > 0 && static_cast<std::size_t>(n) > most - text.size()) {
+                errno = EFBIG;
+                n = -1;
+                break;
+            }
             if (n > 0) { text.append(buffer.data(), static_cast<std::size_t>(n)); }
         }
     }

@@ -11,7 +11,8 @@ namespace trellis {
 /// they do. What exists and is not a regular file (a device, a pipe) is written directly.
 class DiskFiles : public Files {
 public:
-    std::optional<std::string> read(const std::string& path, std::string& why) override;
+    std::optional<std::string> read(const std::string& path, std::size_t most,
+                                    std::string& why) override;
     std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) override;
 };
 

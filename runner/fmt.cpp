@@ -14,7 +14,7 @@ namespace {
 
 /// One file. What is right already is not written, so that its time of change stays.
 Exit format(const std::string& file, bool check, Streams& streams) {
-    const std::optional<std::string> text = read_text(file, streams);
+    const std::optional<std::string> text = read_text(file, streams, DocumentLimits().bytes);
     if (!text) { return Exit::file; }
     Exit exit = Exit::yes;
     const std::optional<Document> document =

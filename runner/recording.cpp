@@ -237,7 +237,7 @@ std::optional<Behaviour> load_recorded(const std::string& file, LoadArguments ar
     const std::string why = mismatch(recording, *behaviour->program);
     if (why.empty()) { return behaviour; }
     exit = complain(streams, Exit::no,
-                    "the trace was not recorded from " + behaviour->source.name + ": " + why);
+                    "the trace was not recorded from " + behaviour->name + ": " + why);
     return {};
 }
 

@@ -174,7 +174,7 @@ std::string Run::report(const Episode& episode, std::string random) {
     const std::uint64_t ticks = episode.state().tick;
     profile_->finish(ticks);
     Diagnostics diagnostics;
-    const std::optional<Document> document = read(behaviour_.source, diagnostics);
+    const std::optional<Document> document = read(behaviour_.source(), diagnostics);
     const ProfileReport stats{program_, *document, *profile_, ticks, arguments_.episode.dt};
     report.profile = &stats;
     return text_of(report);

@@ -63,7 +63,7 @@ std::optional<Subject> load_with_trace(const ShowArguments& arguments, const Reg
         load_recorded(arguments.file, arguments.load, *recording, registry, streams, exit);
     if (!behaviour) { return {}; }
     Diagnostics diagnostics;
-    Subject subject{*read(behaviour->source, diagnostics), {}, {}, {}};
+    Subject subject{*read(behaviour->source(), diagnostics), {}, {}, {}};
     subject.main_tree =
         arguments.load.main_tree.empty() ? recording->tree : arguments.load.main_tree;
     see(arguments, *recording, *behaviour->program, subject);

@@ -53,15 +53,21 @@ std::string painted(const Diagnostics& diagnostics, const Diagnostic& d) {
 
 }  // namespace
 
-std::optional<std::string> read_text(const std::string& path, Streams& streams) {
+std::optional<std::string> read_text(const std::string& path, Streams& streams, std::size_t most) {
     if (path == "-") {
-        std::string text{std::istreambuf_iterator<char>(streams.in), {}};
-        if (!streams.in.bad()) { return text; }
-        complain(streams, Exit::file, "cannot read standard input");
+        std::string text;
+        std::istreambuf_iterator<char> in(streams.in);
+        for (; in != std::istreambuf_iterator<char>() && text.size() <= most; ++in) {
+            text += *in;
+        }
+        if (!streams.in.bad() && text.size() <= most) { return text; }
+        complain(streams, Exit::file,
+                 streams.in.bad() ? "cannot read standard input"
+                                  : "cannot read standard input: File too large");
         return {};
     }
     std::string why;
-    std::optional<std::string> text = streams.files.read(path, why);
+    std::optional<std::string> text = streams.files.read(path, most, why);
     if (!text) { complain(streams, Exit::file, "cannot read \"" + path + "\": " + why); }
     return text;
 }

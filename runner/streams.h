@@ -38,8 +38,10 @@ public:
 class Files {
 public:
     virtual ~Files() = default;
-    /// The content of a file, or none and the reason in `why`: "No such file or directory".
-    virtual std::optional<std::string> read(const std::string& path, std::string& why) = 0;
+    /// The content of a file, or none and the reason in `why`: "No such file or directory", or
+    /// "File too large" if it has more than `most` bytes.
+    virtual std::optional<std::string> read(const std::string& path, std::size_t most,
+                                            std::string& why) = 0;
     /// A new file; null, and the reason in `why`, if it cannot be made.
     virtual std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) = 0;
 };
@@ -54,7 +56,9 @@ struct Streams {
 };
 
 /// The content of the file, or of standard input for "-"; none after a message.
-std::optional<std::string> read_text(const std::string& path, Streams& streams);
+/// Files of more than `most` bytes are not read.
+std::optional<std::string> read_text(const std::string& path, Streams& streams,
+                                     std::size_t most = std::string::npos);
 
 /// Opens a file, or standard output for "-"; null after a message.
 std::unique_ptr<OutputFile> open_output(const std::string& path, Streams& streams);

@@ -24,16 +24,12 @@ std::optional<To> format_of(std::string_view path) {
 }
 
 /// The documents of the files that the behaviour was read from, by index; empty for what is none.
-std::vector<Document> documents_of(const Behaviour& behaviour, Streams& streams) {
+std::vector<Document> documents_of(const Behaviour& behaviour) {
     std::vector<Document> documents;
-    for (const std::string& file : behaviour.program->files) {
-        std::string why;
-        const bool main = documents.empty();
-        std::optional<std::string> text =
-            main ? behaviour.source.text : streams.files.read(file, why);
+    for (std::uint32_t i = 0; i < behaviour.diagnostics.file_count(); ++i) {
+        const std::string_view text = behaviour.diagnostics.file_text(i);
         Diagnostics diagnostics;
-        std::optional<Document> document;
-        if (text) { document = read({file, std::move(*text)}, diagnostics); }
+        std::optional<Document> document = read({{}, std::string(text)}, diagnostics);
         documents.push_back(document ? std::move(*document) : Document());
     }
     return documents;
@@ -44,17 +40,17 @@ Exit write_groot_log(const TraceConvertArguments& arguments, const Recording& re
     const Program& program = *behaviour.program;
     if (program.is_machine()) {
         return complain(streams, Exit::no,
-                        "a .btlog is of a tree: " + behaviour.source.name +
+                        "a .btlog is of a tree: " + behaviour.name +
                             " is a machine; --to chrome takes both");
     }
     const std::size_t nodes = program.rows.size() - 1;
     if (nodes > most_groot_nodes) {
         return complain(streams, Exit::no,
                         "a .btlog numbers at most " + std::to_string(most_groot_nodes) +
-                            " nodes, with 16 bits: " + behaviour.source.name + " has " +
+                            " nodes, with 16 bits: " + behaviour.name + " has " +
                             std::to_string(nodes));
     }
-    const std::vector<Document> documents = documents_of(behaviour, streams);
+    const std::vector<Document> documents = documents_of(behaviour);
     const std::string xml = groot_xml(program, documents, registry);
     const std::string log = groot_log(recording, xml, std::llround(arguments.start * 1e6));
     return write_text(arguments.out, log, streams) ? Exit::yes : Exit::file;

@@ -357,7 +357,7 @@ Exit execute(const TryArguments& arguments, Streams& streams) {
     setup.random = Random(arguments.seed);
     Trial trial(mocks, std::move(setup), !arguments.no_world);
     Diagnostics diagnostics;
-    Prompt prompt(*read(behaviour->source, diagnostics), mocks, trial, arguments.ascii, streams);
+    Prompt prompt(*read(behaviour->source(), diagnostics), mocks, trial, arguments.ascii, streams);
     if (streams.prompt) { streams.out << "help lists the commands, quit ends\n"; }
     const bool ok = prompt.talk();
     return ok || streams.prompt ? Exit::yes : Exit::no;

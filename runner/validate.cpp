@@ -49,12 +49,16 @@ struct Validated {
 
 // A file that is only a palette has nothing to compile.
 Validated validated(Behaviour behaviour, const Registry& registry) {
+    const std::vector<Diagnostic>& found = behaviour.diagnostics.all();
+    const bool may_be = std::any_of(found.begin(), found.end(),
+                                    [](const Diagnostic& d) { return d.id == "no-main-tree"; });
+    if (!may_be) { return {std::move(behaviour)}; }
     Diagnostics diagnostics;
-    const std::optional<Document> document = read(behaviour.source, diagnostics);
+    const std::optional<Document> document = read(behaviour.source(), diagnostics);
     if (!document || !is_palette(*document)) { return {std::move(behaviour)}; }
     check(*document, tree_grammar(registry), diagnostics);
     diagnostics.sort();
-    Validated result{{std::move(behaviour.source), {}, std::move(diagnostics)}};
+    Validated result{{std::move(behaviour.name), {}, std::move(diagnostics)}};
     result.palette = true;
     for (const ElementId models : document->children(document->root())) {
         result.declarations += document->child_count(models);
@@ -64,7 +68,7 @@ Validated validated(Behaviour behaviour, const Registry& registry) {
 
 void add_file(JsonWriter& json, const Validated& validated) {
     const Behaviour& behaviour = validated.behaviour;
-    json.begin_object().text("file", behaviour.source.name).boolean("ok", validated.ok());
+    json.begin_object().text("file", behaviour.name).boolean("ok", validated.ok());
     if (validated.palette) {
         json.text("kind", "palette").count("nodes", validated.declarations);
     } else if (behaviour.program) {
@@ -85,7 +89,7 @@ void add_file(JsonWriter& json, const Validated& validated) {
 
 /// "a.xml: ok, 3 nodes; declared only: Grasp, Release".
 std::string summary(const Validated& validated) {
-    const std::string& name = validated.behaviour.source.name;
+    const std::string& name = validated.behaviour.name;
     if (validated.palette) {
         return name + ": ok, a palette of " + std::to_string(validated.declarations) +
                (validated.declarations == 1 ? " node\n" : " nodes\n");

@@ -134,6 +134,7 @@ bool is_word(char c) {
 }  // namespace
 
 Where Builder::place_in(const Text& text, std::size_t offset) const {
+    if (diagnostics_.is_full()) { return text.where; }  // to find it takes long; nobody will see it
     return where_in(diagnostics_.file_text(text.where.file), text.file->document.spelling,
                     text.where, offset);
 }

@@ -4,6 +4,7 @@
 #include "load/check.h"
 
 #include "core/number.h"
+#include "load/check_wording.h"
 #include "load/namespaces.h"
 #include "load/text.h"
 
@@ -17,45 +18,6 @@
 namespace trellis {
 
 namespace {
-
-/// The value in quotes, on one line, cut if it is long.
-std::string quoted_short(std::string_view value) {
-    constexpr std::size_t longest = 40;  // bytes
-    std::string line;
-    for (const char c : trimmed(value)) {
-        const bool blank = is_blank(c);
-        if (!blank || !line.ends_with(' ')) { line += blank ? ' ' : c; }
-    }
-    if (line.size() <= longest) { return quoted(is_blank(value) ? value : line); }
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) {
-        --end;
-    }
-    return quoted(line.substr(0, end) + "…");
-}
-
-/// "a", "a or b", "a, b or c".
-std::string listed(const std::vector<std::string>& words, std::string_view last_joint) {
-    std::string out;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) { out += i + 1 == words.size() ? last_joint : ", "; }
-        out += words[i];
-    }
-    return out;
-}
-
-/// "no children", "1 child", "2 or 3 children", "2 to 5 children", "at least 1 child".
-std::string children_in_words(std::uint32_t least, std::uint32_t most) {
-    if (most == 0) { return "no children"; }
-    std::string out;
-    if (most == ElementRule::many) {
-        out = "at least " + std::to_string(least);
-        return out + (least == 1 ? " child" : " children");
-    }
-    out = std::to_string(least);
-    if (least != most) { out += (least + 1 == most ? " or " : " to ") + std::to_string(most); }
-    return out + (most == 1 ? " child" : " children");
-}
 
 class Checker {
 public:
@@ -278,6 +240,7 @@ private:
     void check_children(ElementId e, const ElementRule& rule, const ElementRule* named) {
         std::vector<ElementId> counted;
         for (const ElementId child : document_.children(e)) {
+            if (diagnostics_.is_full()) { return; }
             const Namespaces::Mark mark = namespaces_.enter(child);
             if (namespaces_.space_of_element(document_.name(child)) != Namespaces::Space::foreign) {
                 counted.push_back(child);

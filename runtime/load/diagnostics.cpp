@@ -15,6 +15,8 @@ namespace {
 
 /// Bytes of a line that are shown; a longer line is cut around the place.
 constexpr std::size_t shown_bytes = 120;
+/// Lines from one whose place is kept to the next: a text may have nothing but line feeds.
+constexpr std::size_t lines_per_mark = 64;
 /// Bytes shown in front of the place when the line is cut.
 constexpr std::size_t shown_before = 60;
 /// Longer names are not compared: the distance takes time proportional to both lengths.
@@ -100,14 +102,17 @@ auto place(const Diagnostic& d) {
 
 }  // namespace
 
-std::uint32_t Diagnostics::add_file(std::string name, std::string_view text) {
-    File file{std::move(name), std::string(text), {0}};
+std::uint32_t Diagnostics::take_file(std::string name, std::string text) {
+    File file{std::move(name), std::move(text), {0}};
+    std::size_t line = 1;
     const char* const begin = file.text.data();
     const char* const end = begin + file.text.size();
     for (const char* at = begin; at != end; ++at) {
         at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
         if (at == nullptr) { break; }
-        file.line_starts.push_back(static_cast<std::size_t>(at - begin) + 1);
+        if (++line % lines_per_mark == 1) {
+            file.marks.push_back(static_cast<std::size_t>(at - begin) + 1);
+        }
     }
     files_.push_back(std::move(file));
     return static_cast<std::uint32_t>(files_.size() - 1);
@@ -115,7 +120,15 @@ std::uint32_t Diagnostics::add_file(std::string name, std::string_view text) {
 
 void Diagnostics::add(Diagnostic::Severity severity, bool structural, std::string id, Where where,
                       std::string message) {
-    if (severity == Diagnostic::Severity::error) { ++errors_; }
+    const bool error = severity == Diagnostic::Severity::error;
+    const std::size_t count = ++(error ? errors_ : warnings_);
+    if (count > most + 1) { return; }
+    if (count == most + 1) {
+        structural = false;
+        id = "too-many";
+        message = "more than " + std::to_string(most) + (error ? " errors" : " warnings") +
+                  ": this one and all after it are not shown";
+    }
     all_.push_back({severity, structural, std::move(id), where, std::move(message)});
 }
 
@@ -188,12 +201,19 @@ std::string Diagnostics::render(const Diagnostic& d) const {
 
     if (d.where.file >= files_.size() || d.where.line == 0) { return out; }
     const File& file = files_[d.where.file];
-    if (d.where.line > file.line_starts.size()) { return out; }
-    const std::size_t begin = file.line_starts[d.where.line - 1];
-    std::string_view line = std::string_view(file.text).substr(begin);
-    line = line.substr(0, line.find('\n'));
+    const std::size_t mark = (d.where.line - 1) / lines_per_mark;
+    if (mark >= file.marks.size()) { return out; }
+    std::size_t begin = file.marks[mark];
+    for (std::size_t n = (d.where.line - 1) % lines_per_mark; n > 0; --n) {
+        begin = file.text.find('\n', begin) + 1;
+        if (begin == 0) { return out; }
+    }
+    // what stands far behind the place is not shown: the rest of the file may be one line
+    const std::size_t column = d.where.column == 0 ? 0 : d.where.column - 1;
+    std::string_view line = std::string_view(file.text).substr(begin, column + 2 * shown_bytes);
+    line = line.substr(0, line.find('\n', line.size() > column ? column : 0));
     if (line.ends_with('\r')) { line.remove_suffix(1); }
-    return out + excerpt(line, d.where.column == 0 ? 0 : d.where.column - 1);
+    return out + excerpt(line, column);
 }
 
 std::string Diagnostics::render() const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trellis {
@@ -41,8 +42,18 @@ class Diagnostics {
 public:
     /// Names the next text; returns its index for Where::file. The first added is the main file.
     /// The text is copied: rendering shows its lines.
-    std::uint32_t add_file(std::string name, std::string_view text);
+    std::uint32_t add_file(std::string name, std::string_view text) {
+        return take_file(std::move(name), std::string(text));
+    }
+    /// Likewise, without a copy: file_text() is where the text is then.
+    std::uint32_t take_file(std::string name, std::string text);
     std::uint32_t file_count() const { return static_cast<std::uint32_t>(files_.size()); }
+
+    /// So many errors, and so many warnings, are kept; the next becomes "too-many" and all after it
+    /// are dropped, so that a file of nothing but faults takes no more memory than another.
+    static constexpr std::size_t most = 1000;
+    /// Whether further errors are dropped: what only looks for faults may stop.
+    bool is_full() const { return errors_ > most; }
 
     void error(std::string id, Where where, std::string message);
     /// An error that the generated schemas must find as well.
@@ -74,7 +85,7 @@ private:
     struct File {
         std::string name;
         std::string text;
-        std::vector<std::size_t> line_starts;  // byte offsets
+        std::vector<std::size_t> marks;  // byte offsets of the lines 1, 1 + lines_per_mark, …
     };
 
     void add(Diagnostic::Severity severity, bool structural, std::string id, Where where,
@@ -82,7 +93,8 @@ private:
 
     std::vector<File> files_;
     std::vector<Diagnostic> all_;
-    std::size_t errors_ = 0;
+    std::size_t errors_ = 0;    // found, kept or not, until sort() counts what is kept
+    std::size_t warnings_ = 0;  // likewise
 };
 
 /// The name among `candidates` that `wrong` was probably meant to be: smallest edit distance (with

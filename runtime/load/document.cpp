@@ -208,7 +208,8 @@ Where where_in(std::string_view source, Document::Spelling spelling, Where begin
                std::size_t offset) {
     if (begin.line == 0 || begin.column == 0) { return begin; }
     const bool xml = spelling == Document::Spelling::xml;
-    SourceWalk walk{source, offset_of(source, begin)};
+    const std::size_t first = offset_of(source, begin);
+    SourceWalk walk{source, first};
     walk.in_cdata = xml && source.substr(0, walk.at).ends_with("<![CDATA[");
     std::size_t decoded = 0;
     while (true) {
@@ -225,10 +226,10 @@ Where where_in(std::string_view source, Document::Spelling spelling, Where begin
         decoded += size;
     }
 
-    const std::string_view passed = source.substr(0, walk.at);
-    const std::size_t line_start = passed.rfind('\n') + 1;  // npos + 1 is 0
+    const std::string_view passed = source.substr(first, walk.at - first);
     const auto lines = static_cast<std::uint32_t>(std::count(passed.begin(), passed.end(), '\n'));
-    return {begin.file, lines + 1, static_cast<std::uint32_t>(walk.at - line_start) + 1};
+    const auto behind = static_cast<std::uint32_t>(passed.size() - (passed.rfind('\n') + 1));
+    return {begin.file, begin.line + lines, lines == 0 ? begin.column + behind : behind + 1};
 }
 
 }  // namespace trellis

@@ -164,11 +164,14 @@ ElementId copy_subtree(const Document& from, ElementId e, Document& to, ElementI
 /// texts and docs in the same order. What "lossless" means in the tests of the converters.
 bool same_content(const Document& a, const Document& b);
 
-/// Limits on what is read; more is a diagnostic. They bound the memory and the stack of a load.
+/// Limits on what is read; more is a diagnostic. They bound the time, memory and stack of a load: a
+/// file of nothing but elements or attributes is refused before it takes 200 MB.
 struct DocumentLimits {
-    std::size_t bytes = std::size_t{512} << 20;  ///< of text; never more than 2 GiB
-    std::uint32_t depth = 256;                   ///< nested elements, as in BehaviorTree.CPP
-    std::uint32_t elements = 4'000'000;
+    std::size_t bytes = std::size_t{64} << 20;  ///< of text; never more than 2 GiB
+    std::uint32_t depth = 256;                  ///< nested elements, as in BehaviorTree.CPP
+    std::uint32_t elements = 1'250'000;
+    std::uint32_t attributes = 2'500'000;
+    std::uint32_t values = 3'000'000;  ///< of JSON: numbers, texts, arrays, objects
 };
 
 }  // namespace trellis

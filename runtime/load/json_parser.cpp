@@ -68,6 +68,9 @@ public:
         if (!begin) { return std::nullopt; }
         past_ = read_ = *begin;
         tree_.strings.reserve(text_.size());
+        // as in XmlReader::reserve(); the shortest value is a digit and a comma
+        const std::size_t bytes_per_value = text_.size() >= large_text ? 2 : 8;
+        tree_.values.reserve(std::min<std::size_t>(text_.size() / bytes_per_value, limits_.values));
         const char* const data = text_.data();
         const bool ok =
             nlohmann::json::sax_parse(CountingIterator(data, data + *begin, &read_),
@@ -138,10 +141,9 @@ private:
     }
 
     bool add(JsonTree::Kind kind, std::string_view value, std::size_t quotes) {
-        if (tree_.values.size() / 8 >= limits_.elements) {
+        if (tree_.values.size() >= limits_.values) {
             return fail("too-large", token(),
-                        "the file has more than " +
-                            std::to_string(std::size_t{limits_.elements} * 8) + " values");
+                        "the file has more than " + std::to_string(limits_.values) + " values");
         }
         const JsonId parent = open_.empty() ? JsonId{} : open_.back();
         const JsonId v = tree_.add(parent, key_, kind, value);
@@ -312,7 +314,7 @@ private:
     std::string_view text_;
     std::size_t read_ = 0;  // bytes that the parser has taken
     std::size_t past_ = 0;  // end of the last token that was reported
-    LineTable lines_;
+    LineCounter lines_;
     Diagnostics& diagnostics_;
     DocumentLimits limits_;
     JsonTree tree_;

@@ -91,7 +91,7 @@ public:
 /// The value that `text` spells, or none and an error at the first place that is not JSON (RFC
 /// 8259); takes time proportional to the text and never recurses. Numbers keep their spelling.
 /// `file` is the text's index in `diagnostics`. The limits are the document's: a JSON text may have
-/// 4 levels per element, 8 values per element.
+/// 4 levels per element.
 ///
 /// Errors: "json-syntax", "duplicate-member", "encoding", "character" (one that XML cannot hold),
 /// "too-large".

@@ -9,6 +9,8 @@
 #include "load/substitutions.h"
 #include "load/xml.h"
 
+#include <utility>
+
 namespace trellis {
 
 namespace {
@@ -65,11 +67,12 @@ FileKind kind_of(const Document& document) {
     return file_kind(document).value_or(machine ? FileKind::machine : FileKind::tree);
 }
 
-std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
-                             const LoadOptions& options) {
-    const std::uint32_t file = diagnostics.add_file(source.name, source.text);
-    if (!is_json(source.text)) { return read_xml(source.text, file, diagnostics, options.limits); }
-    const std::optional<JsonTree> json = parse_json(source.text, file, diagnostics, options.limits);
+std::optional<Document> read(Source source, Diagnostics& diagnostics, const LoadOptions& options) {
+    const std::uint32_t file =
+        diagnostics.take_file(std::move(source.name), std::move(source.text));
+    const std::string_view text = diagnostics.file_text(file);
+    if (!is_json(text)) { return read_xml(text, file, diagnostics, options.limits); }
+    const std::optional<JsonTree> json = parse_json(text, file, diagnostics, options.limits);
     if (!json) { return {}; }
     const std::optional<FileKind> kind = json_kind(*json);
     if (!kind) {
@@ -81,10 +84,12 @@ std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
     return document_from_json(*json, *kind, diagnostics, options.limits);
 }
 
-std::optional<Program> load(const Source& source, const Registry& registry,
-                            Diagnostics& diagnostics, const LoadOptions& options) {
+std::optional<Program> load(Source source, const Registry& registry, Diagnostics& diagnostics,
+                            const LoadOptions& options) {
     std::optional<Program> program;
-    if (std::optional<Document> document = read(source, diagnostics, options); document) {
+    std::string file = source.name;
+    if (std::optional<Document> document = read(std::move(source), diagnostics, options);
+        document) {
         const Grammar trees = tree_grammar(registry);
         Builder builder(registry, trees, diagnostics, options);
         std::optional<Substitutions> rules;
@@ -94,10 +99,10 @@ std::optional<Program> load(const Source& source, const Registry& registry,
         }
         if (kind_of(*document) == FileKind::machine) {
             check(*document, machine_grammar(), diagnostics);
-            compile_machine({source.name, std::move(*document)}, builder);
+            compile_machine({std::move(file), std::move(*document)}, builder);
         } else {
             check(*document, trees, diagnostics);
-            compile_tree({source.name, std::move(*document)}, builder);
+            compile_tree({std::move(file), std::move(*document)}, builder);
         }
         if (rules) { warn_of_unused(*rules, diagnostics); }
         give(builder);

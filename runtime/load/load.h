@@ -48,10 +48,12 @@ struct LoadOptions {
     const Source* substitutions = nullptr;
     DocumentLimits limits = {};
     std::uint32_t rows = 4'000'000;  ///< of a program, with all subtrees expanded
+    std::uint32_t includes = 1000;   ///< that are read; what they name obeys `limits` together
 };
 
-/// Reads XML or JSON, whichever the text is; empty if it is not well formed.
-std::optional<Document> read(const Source& source, Diagnostics& diagnostics,
+/// Reads XML or JSON, whichever the text is; empty if it is not well formed. The text is moved to
+/// `diagnostics`, as the next file there.
+std::optional<Document> read(Source source, Diagnostics& diagnostics,
                              const LoadOptions& options = {});
 
 /// The name under which LoadOptions::given sets a variable: its own, behind that of the subtrees it
@@ -63,7 +65,7 @@ FileKind kind_of(const Document& document);
 
 /// The whole way. Empty if there was any error; `diagnostics` then holds all of them, sorted.
 /// `registry` must outlive the program.
-std::optional<Program> load(const Source& source, const Registry& registry,
-                            Diagnostics& diagnostics, const LoadOptions& options = {});
+std::optional<Program> load(Source source, const Registry& registry, Diagnostics& diagnostics,
+                            const LoadOptions& options = {});
 
 }  // namespace trellis

@@ -10,26 +10,26 @@
 
 namespace trellis {
 
-LineTable::LineTable(std::string_view text, std::uint32_t file) : starts_{0}, file_(file) {
-    const char* const end = text.data() + text.size();
-    for (const char* at = text.data(); at != end; ++at) {
-        at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
-        if (at == nullptr) { break; }
-        starts_.push_back(static_cast<std::uint32_t>(at - text.data()) + 1);
-    }
-    starts_.push_back(std::numeric_limits<std::uint32_t>::max());
+LineCounter::LineCounter(std::string_view text, std::uint32_t file) : text_(text), file_(file) {
+    begin_line(0);
 }
 
-Where LineTable::at(std::size_t offset) {
-    if (offset < starts_[line_]) {
-        const auto after = std::upper_bound(starts_.begin(), starts_.end(), offset);
-        line_ = static_cast<std::size_t>(after - starts_.begin()) - 1;
+void LineCounter::begin_line(std::size_t start) {
+    start_ = start;
+    next_ = std::min(text_.find('\n', start), text_.size()) + 1;
+}
+
+Where LineCounter::at(std::size_t offset) {
+    if (offset < start_) {
+        line_ = 1;
+        begin_line(0);
     }
-    while (offset >= starts_[line_ + 1]) {
+    // the end of the text stands behind its last character, in the same line
+    while (offset >= next_ && next_ <= text_.size()) {
         ++line_;
+        begin_line(next_);
     }
-    return {file_, static_cast<std::uint32_t>(line_ + 1),
-            static_cast<std::uint32_t>(offset - starts_[line_] + 1)};
+    return {file_, line_, static_cast<std::uint32_t>(offset - start_ + 1)};
 }
 
 namespace {
@@ -119,7 +119,7 @@ std::size_t plain_length(std::string_view text) {
 }  // namespace
 
 std::optional<std::size_t> check_text(std::string_view text, std::size_t most_bytes,
-                                      Characters allowed, LineTable& lines,
+                                      Characters allowed, LineCounter& lines,
                                       Diagnostics& diagnostics) {
     most_bytes = std::min(most_bytes, std::size_t{1} << 31U);  // places and pieces have 32 bits
     if (text.size() > most_bytes) {

@@ -11,21 +11,25 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace trellis {
 
-/// Turns byte offsets of one text, of less than 4 GiB, into places. Queries that do not go back
-/// take constant time.
-class LineTable {
+/// Turns byte offsets of one text, of less than 4 GiB, into places. All queries that do not go back
+/// take the time of one pass over the text; one that does begins a new pass.
+class LineCounter {
 public:
-    LineTable(std::string_view text, std::uint32_t file);
+    LineCounter(std::string_view text, std::uint32_t file);
 
     Where at(std::size_t offset);
 
 private:
-    std::vector<std::uint32_t> starts_;  // of each line, then one that no offset reaches
-    std::size_t line_ = 0;               // of the last query
+    void begin_line(std::size_t start);
+
+    // Why no table of all lines: of a text of nothing but line feeds it has four times the bytes.
+    std::string_view text_;
+    std::size_t start_ = 0;  // of the line of the last query
+    std::size_t next_ = 0;   // of the line behind it; one past the text if that is the last
+    std::uint32_t line_ = 1;
     std::uint32_t file_;
 };
 
@@ -37,7 +41,7 @@ enum class Characters : std::uint8_t { xml, any };
 /// after a byte order mark), or none and an error "encoding", "character" or "too-large" at the
 /// first place that is wrong.
 std::optional<std::size_t> check_text(std::string_view text, std::size_t most_bytes,
-                                      Characters allowed, LineTable& lines,
+                                      Characters allowed, LineCounter& lines,
                                       Diagnostics& diagnostics);
 
 /// Whether XML 1.0 allows the character in a document.
@@ -55,6 +59,9 @@ std::size_t name_length(std::string_view text);
 inline bool is_name(std::string_view text) {
     return !text.empty() && name_length(text) == text.size();
 }
+
+/// Bytes of a text from which on a reader makes room for all that the text may hold.
+constexpr std::size_t large_text = std::size_t{4} << 20;
 
 /// Space, tab, line feed or carriage return: what both XML and JSON call white space.
 inline bool is_blank(char c) {

@@ -15,6 +15,11 @@ namespace trellis {
 void TreeFiles::add(ReadFile file) {
     including_.push_back(file.name);
     const ReadFile& kept = files_.emplace_back(std::move(file));
+    const auto rest = [](std::uint32_t limit, std::size_t used) {
+        return limit - static_cast<std::uint32_t>(std::min<std::size_t>(limit, used));
+    };
+    left_.elements = rest(left_.elements, kept.document.elements.size());
+    left_.attributes = rest(left_.attributes, kept.document.attributes.size());
     if (!kept.document.empty()) {
         for (const ElementId e : kept.document.children(kept.document.root())) {
             add_element(kept, e);
@@ -36,7 +41,7 @@ void TreeFiles::add_element(const ReadFile& file, ElementId e) {
 
 void TreeFiles::add_include(const ReadFile& file, ElementId e) {
     const Attribute* path = file.document.find(e, "path");
-    if (path == nullptr) { return; }
+    if (path == nullptr || includes_end_) { return; }
     const std::string_view name = file.document.string(path->value);
     Diagnostics& diagnostics = builder_.diagnostics();
     std::optional<Source> source;
@@ -49,6 +54,7 @@ void TreeFiles::add_include(const ReadFile& file, ElementId e) {
                           "cannot read \"" + std::string(name) + "\"");
         return;
     }
+    if (!take_include(*source, path->value_where)) { return; }
     const auto again = std::find(including_.begin(), including_.end(), source->name);
     if (again != including_.end()) {
         std::string chain;
@@ -63,10 +69,31 @@ void TreeFiles::add_include(const ReadFile& file, ElementId e) {
         return other.name == source->name;
     });
     if (known) { return; }
-    std::optional<Document> document = read(*source, diagnostics, builder_.options());
+    LoadOptions options = builder_.options();
+    options.limits.elements = left_.elements;
+    options.limits.attributes = left_.attributes;
+    std::string included = source->name;
+    std::optional<Document> document = read(std::move(*source), diagnostics, options);
     if (!document) { return; }
     check(*document, builder_.grammar(), diagnostics);
-    add({std::move(source->name), std::move(*document)});
+    add({std::move(included), std::move(*document)});
+}
+
+// Why a file that is known counts again: to know it, it was read.
+bool TreeFiles::take_include(const Source& source, Where where) {
+    const LoadOptions& options = builder_.options();
+    includes_end_ = ++includes_ > options.includes || source.text.size() > left_.bytes;
+    if (!includes_end_) {
+        left_.bytes -= source.text.size();
+        return true;
+    }
+    const bool many = includes_ > options.includes;
+    builder_.diagnostics().error(
+        "too-large", where,
+        "the included files are more than " +
+            (many ? std::to_string(options.includes)
+                  : std::to_string(options.limits.bytes) + " bytes in all"));
+    return false;
 }
 
 void TreeFiles::add_tree(const ReadFile& file, ElementId e) {

@@ -5,6 +5,7 @@
 
 #include "load/builder.h"
 
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -29,7 +30,7 @@ struct SubtreePort {
 
 class TreeFiles {
 public:
-    explicit TreeFiles(Builder& builder) : builder_(builder) {}
+    explicit TreeFiles(Builder& builder) : builder_(builder), left_(builder.options().limits) {}
 
     /// Reads a file that is already a document, and all it includes. Errors: files that cannot be
     /// read, include cycles, trees without an ID, or with the ID of another.
@@ -48,6 +49,8 @@ public:
 private:
     void add_element(const ReadFile& file, ElementId e);
     void add_include(const ReadFile& file, ElementId e);
+    /// Counts a file that an <include> at `where` names; false, and an error, beyond the limits.
+    bool take_include(const Source& source, Where where);
     void add_tree(const ReadFile& file, ElementId e);
     void add_models(const ReadFile& file, ElementId e);
 
@@ -57,6 +60,9 @@ private:
     std::unordered_map<std::string_view, const TreeSource*> by_id_;
     std::unordered_map<std::string, std::vector<SubtreePort>> models_;
     std::vector<std::string> including_;  // the chain of files being read
+    DocumentLimits left_;                 // of the files that are still to be read, together
+    std::uint32_t includes_ = 0;          // of all files
+    bool includes_end_ = false;           // the limits are reached, which has been said
 };
 
 }  // namespace trellis

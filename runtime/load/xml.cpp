@@ -29,8 +29,8 @@ public:
         const auto begin = check_text(text, limits_.bytes, Characters::xml, lines, diagnostics);
         if (!begin) { return std::nullopt; }
         at = *begin;
-        document_.strings = text;
         reserve();
+        document_.strings = text;
         if (!take_declaration()) { return std::nullopt; }
         while (at < text.size()) {
             if (!read_item()) { return std::nullopt; }
@@ -44,18 +44,22 @@ private:
     struct Frame {
         ElementId element;
         std::string text;          // character data so far
-        std::size_t text_at = 0;   // offset of its first character
+        Where text_where;          // of its first character
         std::size_t bindings = 0;  // of prefixes_ that were there before it
     };
 
     /// Room for what a file as people write them has; counting what there is takes longer than
-    /// making more room in the others.
+    /// making more room in the others. A large one gets room for all that it may hold: what is not
+    /// used takes no memory, what is moved to more room takes it twice.
     void reserve() {
-        constexpr std::size_t bytes_per_element = 40;
-        constexpr std::size_t bytes_per_attribute = 20;
+        const bool large = text.size() >= large_text;
+        const std::size_t bytes_per_element = large ? 4 : 40;    // <a/>
+        const std::size_t bytes_per_attribute = large ? 5 : 20;  // a="" and a blank
         document_.elements.reserve(
             std::min<std::size_t>(text.size() / bytes_per_element, limits_.elements));
-        document_.attributes.reserve(text.size() / bytes_per_attribute);
+        document_.attributes.reserve(
+            std::min<std::size_t>(text.size() / bytes_per_attribute, limits_.attributes));
+        if (large) { document_.strings.reserve(2 * text.size()); }  // nothing decodes to more
     }
 
     Piece piece_of(std::string_view s) const { return Document::piece_of(text, s); }
@@ -89,7 +93,7 @@ private:
     /// The character data of the open element, to which what stands at `from` is added.
     std::string& text_from(std::size_t from) {
         Frame& frame = frames_[depth_ - 1];
-        if (frame.text.empty()) { frame.text_at = from; }
+        if (frame.text.empty()) { frame.text_where = lines.at(from); }
         return frame.text;
     }
 
@@ -298,6 +302,11 @@ private:
             at = past;
             value.size = static_cast<std::uint32_t>(document_.strings.size()) - value.begin;
         }
+        if (document_.attributes.size() >= limits_.attributes) {
+            return fail("too-large", begin,
+                        "the file has more than " + std::to_string(limits_.attributes) +
+                            " attributes");
+        }
         const Where where = lines.at(begin);
         document_.add_attribute(e, piece_of(name), value, where, lines.at(value_at));
         if (name.starts_with("xmlns:")) { bind(name.substr(6)); }
@@ -352,7 +361,7 @@ private:
             const Piece piece = document_.add_string(frame.text);
             Element& element = document_.elements[frame.element.index];
             element.text = piece;
-            element.text_where = lines.at(frame.text_at);
+            element.text_where = frame.text_where;
         }
         document_.close(frame.element);
         for (; bound_.size() > frame.bindings; bound_.pop_back()) {

@@ -20,7 +20,7 @@ struct XmlCursor {
 
     std::string_view text;
     std::size_t at = 0;
-    LineTable lines;
+    LineCounter lines;
     Diagnostics& diagnostics;
 
     std::string_view rest() const { return text.substr(at); }

@@ -62,6 +62,25 @@ TEST_CASE("compile tree: includes are found, once each, and cycles are errors wi
               .find("unreadable-file: cannot read \"none.xml\"") != std::string::npos);
 }
 
+TEST_CASE("compile tree: what includes name obeys the limits together") {
+    const std::string head = "<root BTCPP_format='4'>";
+    const std::string leaf = "<BehaviorTree ID='B'><Leaf script='S'/></BehaviorTree></root>";
+    Texts texts;
+    texts.add("small.xml", head + "</root>");
+    texts.add("leaf.xml", head + leaf);
+    const std::string small = "<include path='small.xml'/>";
+    CHECK(complaints(head + small + small + small + leaf, {.reader = &texts, .includes = 2}) ==
+          "1:93: too-large: the included files are more than 2\n");
+    CHECK(loaded(head + small + small + leaf, {.reader = &texts, .includes = 2}).rows.size() == 2);
+    texts.add("long.xml", head + std::string(300, ' ') + "</root>");
+    const std::string longer = "<include path='long.xml'/>";
+    CHECK(complaints(head + longer + longer + leaf, {.reader = &texts, .limits = {.bytes = 500}}) ==
+          "1:65: too-large: the included files are more than 500 bytes in all\n");
+    CHECK(complaints(head + small + "<include path='leaf.xml'/>" + leaf,
+                     {.reader = &texts, .limits = {.elements = 8}})
+              .find("too-large: the file has more than") != std::string::npos);
+}
+
 TEST_CASE("compile tree: a variable that nothing sets is an error, with a suggestion") {
     CHECK(complaints(trees("<Sequence><Script code='speed := 1'/><Script code='a := sped'/>"
                            "</Sequence>")) ==

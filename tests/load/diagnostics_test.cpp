@@ -99,6 +99,44 @@ TEST_CASE("diagnostics: all of them end with a line that counts") {
                         "2 errors, 1 warning\n");
 }
 
+TEST_CASE("diagnostics: a thousand errors and a thousand warnings are kept, and that is said") {
+    Diagnostics d;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        d.warning("w", {0, i + 1, 1}, "odd");
+    }
+    CHECK(d.ok());
+    CHECK_FALSE(d.is_full());
+    CHECK(d.all().size() == 1001);
+    CHECK(d.render(d.all().back()) == "1001:1: warning: more than 1000 warnings: this one and all "
+                                      "after it are not shown [too-many]\n");
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        CHECK(d.is_full() == (i > 1000));
+        d.structural_error("e", {0, i + 1, 2}, "wrong");
+    }
+    d.sort();
+    CHECK(d.errors() == 1001);
+    CHECK(d.all().size() == 2002);
+    CHECK(d.all().back() == Diagnostic{Diagnostic::Severity::error,
+                                       false,
+                                       "too-many",
+                                       {0, 1001, 2},
+                                       "more than 1000 errors: this one and all after it are not "
+                                       "shown"});
+}
+
+TEST_CASE("diagnostics: the line of a place is found among many") {
+    std::string text;
+    for (int i = 1; i <= 300; ++i) {
+        text += "line " + std::to_string(i) + "\n";
+    }
+    for (std::uint32_t i = 1; i <= 300; ++i) {
+        CHECK(rendered(text, i, 6) == "f.xml:" + std::to_string(i) +
+                                          ":6: error: what is wrong [some-id]\nline " +
+                                          std::to_string(i) + "\n     ^\n");
+    }
+    CHECK(rendered(text, 999, 1) == "f.xml:999:1: error: what is wrong [some-id]\n");
+}
+
 TEST_CASE("diagnostics: structural errors are those that a schema finds as well") {
     Diagnostics d;
     d.error("e", {}, "only the compiler sees this");

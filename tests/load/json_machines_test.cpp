@@ -1,6 +1,7 @@
 // Machines in JSON: every form, the way from XML and back, the W3C pairs, what a mistake is told.
 // SPDX-License-Identifier: MIT
 #include "load/json.h"
+#include "load/json_documents.h"
 #include "load/random_document.h"
 #include "load/xml.h"
 #include "support/files.h"
@@ -11,37 +12,16 @@
 #include <string>
 
 using namespace trellis;
+using namespace trellis::test;
 
 namespace {
 
-Document from_xml(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.xml", text);
-    const auto document = read_xml(text, 0, diagnostics);
-    REQUIRE_MESSAGE(document, diagnostics.render());
-    return *document;
-}
-
 Document from_json(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.json", text);
-    const auto document = read_json(text, 0, FileKind::machine, diagnostics);
-    REQUIRE_MESSAGE(document, diagnostics.render());
-    return *document;
+    return test::from_json(text, FileKind::machine);
 }
 
-/// All findings, each without its line and caret.
 std::string faults(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.json", text);
-    const auto document = read_json(text, 0, FileKind::machine, diagnostics);
-    CHECK(document.has_value() == diagnostics.ok());
-    std::string out;
-    for (const Diagnostic& d : diagnostics.all()) {
-        const std::string one = diagnostics.render(d);
-        out += one.substr(7, one.find('\n') - 6);
-    }
-    return out;
+    return json_faults(text, FileKind::machine);
 }
 
 Document machine(std::string_view inside) {

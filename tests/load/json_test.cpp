@@ -158,7 +158,7 @@ TEST_CASE("json: more than the limits is an error, however deep or long") {
           "1:1029: error: values are nested more than 1028 deep [too-large]");
     CHECK(fault("[1,2,3]", {.bytes = 6}) ==
           "1:1: error: the file has 7 bytes, the limit is 6 [too-large]");
-    CHECK(fault("[1,2,3,4,5,6,7,8]", {.elements = 1}) ==
+    CHECK(fault("[1,2,3,4,5,6,7,8]", {.values = 8}) ==
           "1:16: error: the file has more than 8 values [too-large]");
 }
 

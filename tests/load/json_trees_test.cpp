@@ -1,6 +1,7 @@
 // Tree files in JSON: every form, the way from XML and back, what a mistake is told.
 // SPDX-License-Identifier: MIT
 #include "load/json.h"
+#include "load/json_documents.h"
 #include "load/random_document.h"
 #include "load/xml.h"
 #include "support/files.h"
@@ -13,37 +14,16 @@
 #include <vector>
 
 using namespace trellis;
+using namespace trellis::test;
 
 namespace {
 
-Document from_xml(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.xml", text);
-    const auto document = read_xml(text, 0, diagnostics);
-    REQUIRE_MESSAGE(document, diagnostics.render());
-    return *document;
-}
-
 Document from_json(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.json", text);
-    const auto document = read_json(text, 0, FileKind::tree, diagnostics);
-    REQUIRE_MESSAGE(document, diagnostics.render());
-    return *document;
+    return test::from_json(text, FileKind::tree);
 }
 
-/// All findings, each without its line and caret.
 std::string faults(std::string_view text) {
-    Diagnostics diagnostics;
-    diagnostics.add_file("f.json", text);
-    const auto document = read_json(text, 0, FileKind::tree, diagnostics);
-    CHECK(document.has_value() == diagnostics.ok());
-    std::string out;
-    for (const Diagnostic& d : diagnostics.all()) {
-        const std::string one = diagnostics.render(d);
-        out += one.substr(7, one.find('\n') - 6);
-    }
-    return out;
+    return json_faults(text, FileKind::tree);
 }
 
 /// Name, attributes and text of each element, sorted: what no change of order alters.

@@ -32,11 +32,13 @@ private:
 
 }  // namespace
 
-std::optional<std::string> MemoryFiles::read(const std::string& path, std::string& why) {
+std::optional<std::string> MemoryFiles::read(const std::string& path, std::size_t most,
+                                             std::string& why) {
     why = refused.count(path) != 0 ? "Permission denied" : "No such file or directory";
     const auto at = content.find(path);
     if (at == content.end() || refused.count(path) != 0) { return {}; }
-    return at->second;
+    why = "File too large";
+    return at->second.size() > most ? std::nullopt : std::optional(at->second);
 }
 
 std::unique_ptr<OutputFile> MemoryFiles::create(const std::string& path, std::string& why) {

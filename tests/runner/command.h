@@ -20,7 +20,8 @@ public:
     std::set<std::string> refused;
     std::set<std::string> full;
 
-    std::optional<std::string> read(const std::string& path, std::string& why) override;
+    std::optional<std::string> read(const std::string& path, std::size_t most,
+                                    std::string& why) override;
     std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) override;
 };
 

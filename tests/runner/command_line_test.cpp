@@ -24,7 +24,7 @@ std::string usage_message(const std::vector<std::string>& words) {
 /// A disk that breaks in a way nobody thought of.
 class BrokenFiles : public Files {
 public:
-    std::optional<std::string> read(const std::string&, std::string&) override {
+    std::optional<std::string> read(const std::string&, std::size_t, std::string&) override {
         throw std::logic_error("no such thing");
     }
     std::unique_ptr<OutputFile> create(const std::string&, std::string&) override {

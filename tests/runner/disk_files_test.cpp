@@ -45,7 +45,10 @@ TEST_CASE("disk files: what was written is read again") {
     CHECK(file->write("end"));
     CHECK_FALSE(fs::exists(folder / "a"));
     CHECK(file->commit());
-    CHECK(files.read(folder / "a", why) == text + "end");
+    CHECK(files.read(folder / "a", std::string::npos, why) == text + "end");
+    CHECK(files.read(folder / "a", text.size() + 3, why) == text + "end");
+    CHECK_FALSE(files.read(folder / "a", text.size() + 2, why));
+    CHECK(why == "File too large");
     CHECK(folder.size() == 1);
 }
 
@@ -57,7 +60,7 @@ TEST_CASE("disk files: a file that is not committed leaves nothing and keeps wha
     files.create(folder / "new", why)->write("new");
     files.create(folder / "old", why)->write("new");
     CHECK(folder.size() == 1);
-    CHECK(files.read(folder / "old", why) == "old");
+    CHECK(files.read(folder / "old", std::string::npos, why) == "old");
 }
 
 TEST_CASE("disk files: a file that is replaced keeps its rights, and links keep pointing to it") {
@@ -72,7 +75,7 @@ TEST_CASE("disk files: a file that is replaced keeps its rights, and links keep 
     file->write("new");
     REQUIRE(file->commit());
     CHECK(fs::is_symlink(folder / "link"));
-    CHECK(files.read(folder / "real", why) == "new");
+    CHECK(files.read(folder / "real", std::string::npos, why) == "new");
     CHECK(static_cast<int>(fs::status(folder / "real").permissions()) == 0640);
 }
 
@@ -80,9 +83,9 @@ TEST_CASE("disk files: the system says why something cannot be done") {
     const Folder folder;
     DiskFiles files;
     std::string why;
-    CHECK_FALSE(files.read(folder / "a", why));
+    CHECK_FALSE(files.read(folder / "a", std::string::npos, why));
     CHECK(why == "No such file or directory");
-    CHECK_FALSE(files.read(folder.path.string(), why));
+    CHECK_FALSE(files.read(folder.path.string(), std::string::npos, why));
     CHECK(why == "Is a directory");
     CHECK(files.create(folder.path.string(), why) == nullptr);
     CHECK(why == "Is a directory");

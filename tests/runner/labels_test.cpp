@@ -26,7 +26,7 @@ Program compiled(const std::string& text) {
 Program from_disk(const std::string& file) {
     std::string why;
     DiskFiles disk;
-    return compiled(*disk.read(from_root(file), why));
+    return compiled(*disk.read(from_root(file), std::string::npos, why));
 }
 
 }  // namespace
