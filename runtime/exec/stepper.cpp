@@ -342,10 +342,10 @@ const Value* Stepper::port_value(CodeId code) const {
 // A time that is a whole number of ticks must not take one more because a product is rounded up.
 std::uint64_t Stepper::tick_after(std::int64_t ms) const {
     constexpr double rounding = 1e-9;
-    constexpr double never = 9e15;
+    constexpr double endless = 9e15;
     if (ms <= 0) { return tick_.count; }
     const double ticks = static_cast<double>(ms) / 1000.0 / tick_.dt * (1.0 - rounding);
-    return tick_.count + static_cast<std::uint64_t>(std::ceil(std::min(ticks, never)));
+    return tick_.count + static_cast<std::uint64_t>(std::ceil(std::min(ticks, endless)));
 }
 
 // Faults and trace --------------------------------------------------------------------------------
