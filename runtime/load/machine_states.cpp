@@ -255,12 +255,18 @@ void MachineCompiler::find_dependence_on_time() {
     for (const Transition& t : program.transitions) {
         const bool guarded = t.event_count == 0 && t.guard.code && is_state(t.source);
         if (!guarded) { continue; }
-        const Instruction* in = program.code.instructions.data() + t.guard.code.index;
-        for (;; ++in) {
-            const bool changes =
-                in->op >= CodeOp::sensor_boolean && in->op <= CodeOp::elapsed_since;
-            program.needs_every_cycle |= changes || in->op == CodeOp::call;
-            if (in->last) { break; }
+        // an expression reaches to its last instruction that no jump passes
+        const std::vector<Instruction>& code = program.code.instructions;
+        std::size_t furthest = 0;
+        for (std::size_t i = t.guard.code.index; i < code.size(); ++i) {
+            const Instruction& in = code[i];
+            const bool jumps =
+                in.op == CodeOp::jump || in.op == CodeOp::jump_if || in.op == CodeOp::jump_unless;
+            if (jumps) { furthest = std::max<std::size_t>(furthest, in.extra); }
+            const bool changes = in.op >= CodeOp::sensor_boolean && in.op <= CodeOp::elapsed_since;
+            program.needs_every_cycle |= changes || in.op == CodeOp::call;
+            const bool ends = in.op == CodeOp::fail || (in.last && !jumps);
+            if (ends && i >= furthest) { break; }
         }
     }
 }
