@@ -15,7 +15,9 @@ TEST_CASE("places: rows and transitions, as XML and as JSON") {
     MemoryFiles files;
     files.content["a.scxml"] = two_states;
     REQUIRE(run_words(files, {"convert", "a.scxml", "a.json"}).exit == Exit::yes);
-    for (const auto& [name, text] : files.content) {
+    for (const auto& file : files.content) {
+        const std::string& name = file.first;
+        const std::string& text = file.second;
         CAPTURE(name);
         Diagnostics diagnostics;
         const auto program = load({name, text}, registry, diagnostics);
