@@ -158,6 +158,7 @@ std::string Trial::assign(std::string_view name, std::string_view value) {
         }
         begin_step();
         now_.state.slots[i] = std::move(*assigned);
+        wake(now_.state);
         if (type == EntryType::missing) { now_.state.entries[i] = EntryType::any; }
         return {};
     }

@@ -27,7 +27,6 @@ using CallId = Id<struct CallTag>;              ///< Program::calls: one use of 
 using BlockId = Id<struct BlockTag>;            ///< Program::actions: first action of one block
 using EventId = Id<struct EventTag>;            ///< Program::events: one event name
 using TransitionId = Id<struct TransitionTag>;  ///< Program::transitions
-using DerivedId = Id<struct DerivedTag>;        ///< Program::derived: a number kept
 using PayloadId = Id<struct PayloadTag>;        ///< Program::payloads: what a message carries
 using MachineId = Id<struct MachineTag>;        ///< Program::machines: one that can be invoked
 

@@ -39,15 +39,13 @@ struct Condition {
         always,            ///< there is none
         sensor,            ///< a boolean sensor, at byte `at` of the host
         elapsed,           ///< elapsed() > `limit`, of the state of row `at`
-        elapsed_variable,  ///< the same, with the real that `variable` holds
-        elapsed_derived,   ///< the same, with `derived`
+        elapsed_variable,  ///< the same, with what `variables` gives
         code,              ///< anything else
     };
     Form form = Form::always;
     std::uint32_t at = 0;
-    double limit = 0.0;  ///< s
-    SlotId variable = {};
-    DerivedId derived = {};
+    double limit = 0.0;     ///< s
+    CodeId variables = {};  ///< a limit that only variables decide
     CodeId code = {};
 
     friend bool operator==(const Condition&, const Condition&) = default;
@@ -71,6 +69,21 @@ struct Transition {
     friend bool operator==(const Transition&, const Transition&) = default;
 };
 
+/// A cycle in an atomic state in which no guard holds that the event `tick` asks there or around
+/// it, and its only activity goes on. Made for states where nothing of this needs code: guards that
+/// ask sensors or the time, an action without outputs whose inputs are formulas or do not change.
+struct QuietState {
+    std::uint32_t first_sensor = 0,
+                  sensor_count = 0;                  ///< Program::quiet_sensors: see Condition::at
+    std::uint32_t first_time = 0, time_count = 0;    ///< Program::quiet_times
+    std::uint32_t first_input = 0, input_count = 0;  ///< Program::quiet_inputs
+    std::uint32_t call = 0;                          ///< Program::calls, of the activity
+    RowId activity;
+
+    friend bool operator==(const QuietState&, const QuietState&) = default;
+};
+using QuietId = Id<struct QuietTag>;  ///< Program::quiet_states
+
 /// What a machine, state, parallel or final row has besides its children. Row::arg indexes
 /// Program::states.
 struct StateInfo {
@@ -79,11 +92,8 @@ struct StateInfo {
     std::uint32_t first_exit = 0, exit_count = 0;    ///< Program::blocks: <onexit>, in order
     TransitionId initial;  ///< compound states and machines: where they begin; else none
     RowId outer;           ///< the next state around it that has transitions; none if there is none
-    /// Program::quiet_guards: the guards that the event `tick` asks in this state and around it, in
-    /// order, if none of them needs code; then the state is quiet in a cycle in which none holds.
-    std::uint32_t first_guard = 0, guard_count = 0;
-    bool may_be_quiet = false;
-    bool atomic = false;  ///< it has no states inside
+    QuietId quiet;         ///< atomic states: what a cycle is in which nothing happens; may be none
+    bool atomic = false;   ///< it has no states inside
     /// Numbers of invoke and history rows: in this order they precede the states among children.
     std::uint32_t invokes = 0, histories = 0;
     EventId done;        ///< compound and parallel states: done.state.ID

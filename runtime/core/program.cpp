@@ -294,8 +294,9 @@ bool operator==(const Program& a, const Program& b) {
     return a.rows == b.rows && a.names == b.names && a.slots == b.slots &&
            a.code.instructions == b.code.instructions && a.code.constants == b.code.constants &&
            a.code.guards == b.code.guards && a.calls == b.calls && a.live_inputs == b.live_inputs &&
-           a.derived == b.derived && a.formulas == b.formulas &&
-           a.formula_steps == b.formula_steps && a.quiet_guards == b.quiet_guards &&
+           a.formulas == b.formulas && a.formula_steps == b.formula_steps &&
+           a.quiet_states == b.quiet_states && a.quiet_sensors == b.quiet_sensors &&
+           a.quiet_times == b.quiet_times && a.quiet_inputs == b.quiet_inputs &&
            a.bound_outputs == b.bound_outputs && a.prototypes == b.prototypes &&
            a.ports == b.ports && a.nodes == b.nodes && a.tests == b.tests && a.words == b.words &&
            a.queues == b.queues && a.counts_writes == b.counts_writes &&

@@ -96,33 +96,27 @@ struct Slot {
     friend bool operator==(const Slot&, const Slot&) = default;
 };
 
-/// A number that one variable alone decides, as the time that a turn by `angle` takes: it is
-/// evaluated again only after the variable has changed.
-struct Derived {
-    SlotId variable;
-    CodeId code;
-
-    friend bool operator==(const Derived&, const Derived&) = default;
-};
-
-/// A number that follows from elapsed(), a real sensor or one variable by arithmetic with literals,
-/// as speeds and turn rates of robots do: computed without evaluating code. Each step takes the
-/// last result.
+/// A number that follows from elapsed() or a real sensor by arithmetic with literals, as speeds and
+/// turn rates of robots do: computed without evaluating code. Each step takes the last result.
 struct Formula {
-    enum class Source : std::uint8_t { elapsed_since, elapsed_count, sensor, derived };
+    enum class Source : std::uint8_t { elapsed_since, elapsed_count, sensor };
 
     Source source = Source::elapsed_since;
-    std::uint32_t at = 0;  ///< the row, the byte of the host, or the index of the derived number
+    std::uint32_t at = 0;                          ///< the row, or the byte of the host
     std::uint32_t first_step = 0, step_count = 0;  ///< Program::formula_steps
 
     friend bool operator==(const Formula&, const Formula&) = default;
 };
 
-/// add, subtract, multiply or divide: result = result op literal, or literal op result.
+/// Arithmetic on the result so far, r: r * factor + summand, with both roundings; then perhaps a
+/// division by a literal or of one. The defaults change nothing.
 struct FormulaStep {
-    CodeOp op = CodeOp::add;
-    bool literal_first = false;
-    double literal = 0.0;
+    enum class Division : std::uint8_t { none, by_literal, of_literal };
+
+    double factor = 1.0;
+    double summand = -0.0;  // which, unlike 0.0, leaves -0.0 as it is
+    double literal = 1.0;
+    Division division = Division::none;
 
     friend bool operator==(const FormulaStep&, const FormulaStep&) = default;
 };
@@ -135,8 +129,19 @@ struct LiveInput {
     CodeId code;
     FormulaId formula;     ///< says the same, for a plain real port; none if it has no such form
     std::uint32_t offset;  ///< bytes, of the port's member in the leaf struct
+    /// The same as in the last tick unless a variable of the machine was written in between; then
+    /// the leaf struct holds all of it.
+    bool steady;
 
     friend bool operator==(const LiveInput&, const LiveInput&) = default;
+};
+
+/// The same for the activity of a QuietState, where it has a formula.
+struct QuietInput {
+    Formula formula;
+    std::uint32_t offset = 0;  ///< bytes, of the port's member in the leaf struct
+
+    friend bool operator==(const QuietInput&, const QuietInput&) = default;
 };
 
 /// One output of one leaf that is bound to a variable.
@@ -205,7 +210,6 @@ struct Program {
     CodeTable code;               ///< every expression and script
     std::vector<LeafCall> calls;  ///< Row::arg of action and condition
     std::vector<LiveInput> live_inputs;
-    std::vector<Derived> derived;
     std::vector<Formula> formulas;
     std::vector<FormulaStep> formula_steps;
     std::vector<BoundOutput> bound_outputs;
@@ -221,7 +225,10 @@ struct Program {
 
     std::vector<StateInfo> states;
     std::vector<Transition> transitions;
-    std::vector<Condition> quiet_guards;
+    std::vector<QuietState> quiet_states;
+    std::vector<std::uint32_t> quiet_sensors;
+    std::vector<Condition> quiet_times;
+    std::vector<QuietInput> quiet_inputs;
     std::vector<RowId> targets;
     std::vector<EventName> events;
     std::vector<EventId> descriptors;

@@ -361,7 +361,6 @@ State fresh_state(const Program& program) {
     }
     state.temporaries.resize(program.code.temporaries);
     state.inputs.resize(program.live_inputs.size());
-    state.derived.resize(program.derived.size());
     state.leaves = program.prototypes;
     if (program.is_machine()) { state.work.marks.resize(program.rows.size()); }
     state.work.loops.resize(program.loops.size());

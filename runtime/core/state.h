@@ -116,7 +116,7 @@ struct State {
     RowId last_leaf;                    ///< the leaf ticked last; none before the first
     std::vector<Status> status;         ///< by row
     std::vector<std::uint32_t> memory;  ///< by row: see exec/stepper.h
-    std::vector<Value> slots;           ///< by slot
+    std::vector<Value> slots;           ///< by slot; hosts that change one call wake()
     std::vector<EntryType> entries;     ///< by slot
     std::vector<std::uint64_t> words;   ///< NodeInfo::word, where `memory` is not enough
     std::vector<Value> queues;          ///< NodeInfo::queue: arrays, undefined before they are read
@@ -124,16 +124,17 @@ struct State {
     std::vector<std::uint32_t> writes;
     /// Derived, not part of what a state is: the row at which the next tick of a tree may begin.
     RowId resume;
+    /// The same for machines: the next cycles, as long as no event and no sensor interferes.
+    struct Quiet {
+        QuietId id;                ///< of the state they are spent in
+        std::uint32_t cycles = 0;  ///< how many pass before it is time for something else
+        double dt = 0.0;           ///< s, if every one takes so long
+    };
+    Quiet quiet;
     /// Scratch, not part of what a state is: temporaries of expressions, and by live input the
     /// value it had in the last tick, and two texts that are compared.
     std::vector<Value> temporaries, inputs;
     std::string left, right;
-    /// Scratch too: the last result of each derived number.
-    struct Memo {
-        Value variable;  ///< the number it was computed from; undefined before the first time
-        double value = 0.0;
-    };
-    std::vector<Memo> derived;
     Workspace work;
     std::vector<std::byte> leaves;  ///< leaf structs, back to back: see LeafCall::offset
     Random random;                  ///< the generator of this run
@@ -160,6 +161,11 @@ inline const Program& program_of(const Program& outermost, const Child& child) {
 /// A State for `program` in which nothing is active. Seed `random` before the first step if the
 /// behaviour draws numbers; unseeded it is seeded with 0 by the first draw.
 State fresh_state(const Program& program);
+
+/// Lets the next step look at everything anew. For hosts that have changed a variable.
+inline void wake(State& state) {
+    state.quiet = {};
+}
 
 /// Whether two states of `program` are the same: leaf structs by their registered members. States
 /// that are the same have the same future.

@@ -27,67 +27,40 @@ struct FormView {
 /// `unknown`: only the code of the condition can say.
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-/// A derived number; false if it was not computed for what its variable now holds.
-inline bool derived(const FormView& view, std::uint32_t id, double& result) {
-    const State::Memo& memo = view.state.derived[id];
-    const Value& variable = view.state.slots[view.program.derived[id].variable.index];
-    // no variable that is undefined has a memo
-    if (variable.is(Value::Kind::undefined) || memo.variable != variable) { return false; }
-    result = memo.value;
-    return true;
+inline bool sensed(const void* host, std::uint32_t at) {
+    bool value = false;
+    std::memcpy(&value, static_cast<const std::byte*>(host) + at, sizeof value);
+    return value;
 }
 
-[[gnu::always_inline]] inline Answer answer(const FormView& view, const Condition& condition) {
-    const auto exceeds = [&](double limit) {
-        return view.elapsed_since(condition.at) > limit ? Answer::yes : Answer::no;
-    };
+inline Answer answer(const FormView& view, const Condition& condition) {
     switch (condition.form) {
     case Condition::Form::always: return Answer::yes;
-    case Condition::Form::sensor: {
-        bool sensed = false;
-        std::memcpy(&sensed, static_cast<const std::byte*>(view.host) + condition.at,
-                    sizeof sensed);
-        return sensed ? Answer::yes : Answer::no;
+    case Condition::Form::sensor: return sensed(view.host, condition.at) ? Answer::yes : Answer::no;
+    case Condition::Form::elapsed:
+        return view.elapsed_since(condition.at) > condition.limit ? Answer::yes : Answer::no;
+    default: return Answer::unknown;
     }
-    case Condition::Form::elapsed: return exceeds(condition.limit);
-    case Condition::Form::elapsed_variable: {
-        const Value& limit = view.state.slots[condition.variable.index];
-        return limit.is_number() ? exceeds(limit.number()) : Answer::unknown;
-    }
-    case Condition::Form::elapsed_derived: {
-        double limit = 0.0;
-        return derived(view, condition.derived.index, limit) ? exceeds(limit) : Answer::unknown;
-    }
-    case Condition::Form::code: break;
-    }
-    return Answer::unknown;
 }
 
-/// False if what the formula starts from is not known.
-[[gnu::always_inline]] inline bool compute(const FormView& view, const Formula& formula,
-                                           double& result) {
-    switch (formula.source) {
-    case Formula::Source::elapsed_since: result = view.elapsed_since(formula.at); break;
-    case Formula::Source::elapsed_count: result = view.state.memory[formula.at] * view.dt; break;
-    case Formula::Source::sensor:
-        std::memcpy(&result, static_cast<const std::byte*>(view.host) + formula.at, sizeof result);
-        break;
-    case Formula::Source::derived:
-        if (!derived(view, formula.at, result)) { return false; }
-        break;
+[[gnu::always_inline]] inline double compute(const FormView& view, const Formula& formula) {
+    double value = 0.0;
+    if (formula.source == Formula::Source::elapsed_since) {
+        value = view.elapsed_since(formula.at);
+    } else if (formula.source == Formula::Source::elapsed_count) {
+        value = view.state.memory[formula.at] * view.dt;
+    } else {
+        std::memcpy(&value, static_cast<const std::byte*>(view.host) + formula.at, sizeof value);
     }
     const FormulaStep* const first = view.program.formula_steps.data() + formula.first_step;
-    for (const FormulaStep* step = first; step != first + formula.step_count; ++step) {
-        const double left = step->literal_first ? step->literal : result;
-        const double right = step->literal_first ? result : step->literal;
-        switch (step->op) {
-        case CodeOp::add: result = left + right; break;
-        case CodeOp::subtract: result = left - right; break;
-        case CodeOp::multiply: result = left * right; break;
-        default: result = left / right; break;
-        }
+    const FormulaStep* const last = first + formula.step_count;
+    for (const FormulaStep* step = first; step != last; ++step) {
+        value = value * step->factor + step->summand;
+        if (step->division == FormulaStep::Division::none) { continue; }
+        value = step->division == FormulaStep::Division::by_literal ? value / step->literal
+                                                                    : step->literal / value;
     }
-    return true;
+    return value;
 }
 
 }  // namespace trellis

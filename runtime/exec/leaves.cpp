@@ -46,12 +46,9 @@ bool Stepper::read_inputs(RowId n, const LeafCall& leaf, std::byte* self) {
         const Port& port = leaf.type->ports[input.port];
         double value = 0.0;
         if (input.formula) {
-            const Formula& formula = p_.formulas[input.formula.index];
-            if (compute(forms(), formula, value)) {
-                std::memcpy(self + input.offset, &value, sizeof value);
-                continue;
-            }
-            derive(formula.at);
+            value = compute(forms(), p_.formulas[input.formula.index]);
+            std::memcpy(self + input.offset, &value, sizeof value);
+            continue;
         }
         if (port.type == PortType::real && port.present == Port::always) {
             if (evaluate_real(p_.code, input.code, context(), value)) {

@@ -36,19 +36,6 @@ Status Stepper::tick_machine(RowId m) {
     return s_.fault ? Status::idle : Status::running;
 }
 
-// The quiet cycle (quiet_cycle.cpp) has ticked the only activity, which is a leaf.
-Status Stepper::finish_quiet_cycle(Status status) {
-    in_step_ = true;
-    const RowId body = s_.last_leaf;
-    if (status == Status::idle) {
-        returned_idle(body, p_.call(body));
-    } else if (is_done(status)) {
-        store(body, status);
-        end_invokes();
-    }
-    return finish_step(s_.fault ? Status::idle : Status::running);
-}
-
 // Everything that this machine and those it invokes can do before time goes on. A machine that has
 // not begun this cycle begins it with what was waiting and with its `tick`.
 void Stepper::come_to_rest() {
@@ -267,7 +254,6 @@ TransitionId Stepper::enabled(RowId atom, EventId event) {
 bool Stepper::holds(RowId n, const Condition& condition) {
     const Answer known = answer(forms(), condition);
     if (known != Answer::unknown) { return known == Answer::yes; }
-    if (condition.derived) { derive(condition.derived.index); }
     return holds(n, condition.code);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
 
-#include "exec/quiet_cycle.h"
+#include "exec/quiet_step.h"
 #include "exec/stepper.h"
 
 #include <algorithm>
@@ -26,19 +26,26 @@ void start(const Program& program, State& state, HostRef host, const StepOptions
     Stepper(program, state, host, options).start_machine();
 }
 
+namespace {
+
+// Apart from step(), because setting up the interpreter takes a frame of its own.
+[[gnu::noinline]] Status whole_step(const Program& program, State& state, HostRef host,
+                                    const StepOptions& options, QuietStep quiet) {
+    Stepper stepper(program, state, host, options);
+    return quiet.taken ? stepper.finish_quiet_step(quiet.status) : stepper.step_root();
+}
+
+}  // namespace
+
 Status step(const Program& program, State& state, HostRef host, const StepOptions& options) {
     assert(fits(program, state, host));
-    if (program.is_machine()) {
-        const QuietCycle cycle = quiet_cycle(program, state, host, options);
-        if (cycle.outcome == QuietCycle::Outcome::running && !state.random.exhausted()) {
-            ++state.tick;
-            return Status::running;
-        }
-        if (cycle.outcome != QuietCycle::Outcome::not_quiet) {
-            return Stepper(program, state, host, options).finish_quiet_cycle(cycle.status);
-        }
+    const QuietStep quiet = state.quiet.cycles != 0 ? quiet_cycle(program, state, host, options)
+                                                    : quiet_tick(program, state, host, options);
+    if (!quiet.taken || quiet.status != Status::running || state.random.exhausted()) {
+        return whole_step(program, state, host, options, quiet);
     }
-    return Stepper(program, state, host, options).step_root();
+    ++state.tick;
+    return Status::running;
 }
 
 void halt(const Program& program, State& state, HostRef host, const StepOptions& options) {
@@ -94,6 +101,7 @@ std::optional<std::uint64_t> idle_cycles(const Program& program, const State& st
 }
 
 void skip_cycles(State& state, std::uint64_t cycles) {
+    wake(state);
     state.tick += cycles;
     state.session.clock += static_cast<std::uint32_t>(cycles);
     for (Child& child : state.children) {

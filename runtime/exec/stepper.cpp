@@ -43,17 +43,22 @@ Status Stepper::step_root() {
 }
 
 Status Stepper::finish_step(Status status) {
+    s_.quiet = {};
     if (s_.random.exhausted()) {
         return fault(Fault::Kind::draws, s_.last_leaf, "there are no random numbers left");
     }
     // a script that fails while something is halted does not stop the tick at once
     if (s_.fault) { return Status::idle; }
     if (status != Status::idle) { ++s_.tick; }
+    if (status == Status::running && s_.session.atom) { find_quiet_cycles(); }
     return status;
 }
 
 Status Stepper::step_tree(RowId root) {
-    Status status = s_.resume ? tick_resumed(root) : tick(root);
+    return rest_of_tree(root, s_.resume ? tick_resumed(root) : tick(root));
+}
+
+Status Stepper::rest_of_tree(RowId root, Status status) {
     while (while_woken_ && status == Status::running && s_.woken) {
         s_.woken = false;
         s_.resume = {};
@@ -71,11 +76,14 @@ Status Stepper::tick_resumed(RowId root) {
     const RowId n = s_.resume;
     count_scopes_around(n, 1);
     const Status status = tick_again(n);
-    if (status == Status::running || status == Status::idle) { return status; }
-    count_scopes_around(n, -1U);
-    s_.resume = {};
-    ended_ = n;
+    return status == Status::running || status == Status::idle ? status : end_resumed(root, status);
+}
+
+Status Stepper::end_resumed(RowId root, Status status) {
+    count_scopes_around(s_.resume, -1U);
+    ended_ = s_.resume;
     ended_status_ = status;
+    s_.resume = {};
     return tick(root);
 }
 
@@ -255,6 +263,7 @@ std::uint32_t Stepper::child_count(RowId n) const {
 // its _onHalted scripts run everywhere (TREES §1.4).
 void Stepper::halt_root() {
     s_.resume = {};
+    s_.quiet = {};
     halt_node({0});
     if (p_.is_machine()) {
         s_.session = fresh_state(p_).session;
@@ -280,15 +289,6 @@ bool Stepper::condition(RowId n, CodeId code, bool& holds) {
     if (truth != Truth::failed) { return true; }
     fault(Fault::Kind::expression, n, evaluation_error());
     return false;
-}
-
-void Stepper::derive(std::uint32_t id) {
-    const Derived& number = p_.derived[id];
-    const Value& variable = s_.slots[number.variable.index];
-    double value = 0.0;
-    if (variable.is_number() && evaluate_real(p_.code, number.code, context(), value)) {
-        s_.derived[id] = {variable, value};
-    }
 }
 
 std::string Stepper::evaluation_error() const {

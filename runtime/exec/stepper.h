@@ -78,8 +78,8 @@ public:
 
     /// One tick of the whole program: see step().
     Status step_root();
-    /// The rest of a quiet cycle whose activity has ended or failed with `status`.
-    Status finish_quiet_cycle(Status status);
+    /// The rest of a quiet step whose leaf has returned `status`.
+    Status finish_quiet_step(Status status);
     void start_machine();
     void halt_root();
 
@@ -96,7 +96,9 @@ private:
     static constexpr std::uint32_t not_all_skipped = 0x80000000;
 
     Status step_tree(RowId root);
+    Status rest_of_tree(RowId root, Status status);
     Status tick_resumed(RowId root);
+    Status end_resumed(RowId root, Status status);
     void count_scopes_around(RowId n, std::uint32_t ticks) {
         for (RowId up = rows_[n.index].scope; up; up = rows_[up.index].scope) {
             memory_[up.index] += ticks;
@@ -264,6 +266,7 @@ private:
 
     Status tick_machine(RowId m);
     Status finish_step(Status status);
+    void find_quiet_cycles();
     void come_to_rest();
     void take_waiting();
     void take_external();
@@ -402,8 +405,6 @@ private:
     bool holds(RowId n, const Condition& condition);
     /// What forms that need no code read.
     FormView forms() const { return {p_, s_, host_, s_.session.clock, tick_.dt}; }
-    /// Computes a derived number anew, where its variable holds a number.
-    void derive(std::uint32_t id);
     /// What expressions see. Filled when a step evaluates its first expression.
     EvalContext& context() {
         if (!context_) { fill_context(); }

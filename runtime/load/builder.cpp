@@ -281,10 +281,12 @@ bool Builder::write_literal(const Port& port, Value& value) {
 }
 
 void Builder::set_live(const Port& port, CodeId code) {
-    const bool plain_real = port.type == PortType::real && port.present == Port::always;
+    const bool always = port.present == Port::always;
+    const bool plain_real = port.type == PortType::real && always;
+    const bool held_by_value = port.type != PortType::text && port.type != PortType::any && always;
     program.live_inputs.push_back({port_index(port), code,
                                    plain_real ? find_formula(program, code) : FormulaId(),
-                                   port.offset});
+                                   port.offset, held_by_value && is_steady(program.code, code)});
     ++program.calls.back().input_count;
 }
 

@@ -38,29 +38,23 @@ bool is_pure(CodeOp op) {
     }
 }
 
-// The only variable that instructions [begin, end) read; none if they read none, more than one, or
-// anything else that may change. Variables of trees have rules for reading, those of machines none.
-SlotId only_variable(const CodeTable& code, std::uint32_t begin, std::uint32_t end) {
-    SlotId found;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const Instruction& in = code.instructions[i];
-        if (in.tree || !is_pure(in.op)) { return {}; }
-        for (const Operand operand : {in.a, in.b}) {
-            if (operand.space() != Space::slot) { continue; }
-            const SlotId slot{operand.index()};
-            if (found && slot != found) { return {}; }
-            found = slot;
-        }
-    }
-    return found;
+// Whether only variables of a machine decide what instructions [begin, end) give.
+bool is_steady(const CodeTable& code, std::uint32_t begin, std::uint32_t end) {
+    return std::all_of(code.instructions.begin() + begin, code.instructions.begin() + end,
+                       [](const Instruction& in) { return !in.tree && is_pure(in.op); });
 }
 
-DerivedId add_derived(Program& program, SlotId variable, CodeId code) {
-    const Derived number{variable, code};
-    const auto known = std::find(program.derived.begin(), program.derived.end(), number);
-    const auto index = static_cast<std::uint32_t>(known - program.derived.begin());
-    if (known == program.derived.end()) { program.derived.push_back(number); }
-    return {index};
+bool is_jump(const Instruction& in) {
+    return in.op == CodeOp::jump || in.op == CodeOp::jump_if || in.op == CodeOp::jump_unless;
+}
+
+// A variable as an expression of its own.
+CodeId copy_of(CodeTable& code, Operand variable, std::uint32_t offset) {
+    const CodeId id{static_cast<std::uint32_t>(code.instructions.size())};
+    code.instructions.push_back(
+        {.op = CodeOp::copy, .last = true, .tree = false, .a = variable, .b = {}});
+    code.offsets.push_back(offset);
+    return id;
 }
 
 // Instructions [begin, end) as an expression of their own. They do not jump.
@@ -90,7 +84,7 @@ Condition elapsed_condition(Program& program, Condition found) {
     const Operand limit = compare.b;
     if (end - begin == 2 && limit.space() == Space::slot) {
         better.form = Condition::Form::elapsed_variable;
-        better.variable = {limit.index()};
+        better.variables = copy_of(code, limit, std::uint32_t(code.offsets[begin]));
         return better;
     }
     if (end - begin == 2 && limit.space() == Space::constant &&
@@ -100,20 +94,48 @@ Condition elapsed_condition(Program& program, Condition found) {
         return better;
     }
     const std::uint32_t last = end - 2;
-    const SlotId variable = only_variable(code, begin + 1, end - 1);
-    const bool straight = std::none_of(code.instructions.begin() + begin,
-                                       code.instructions.begin() + end, [&](const Instruction& in) {
-                                           return in.op == CodeOp::jump ||
-                                                  in.op == CodeOp::jump_if ||
-                                                  in.op == CodeOp::jump_unless;
-                                       });
-    if (!variable || !straight || limit.space() != Space::temporary ||
+    const bool straight =
+        std::none_of(code.instructions.begin() + begin, code.instructions.begin() + end, is_jump);
+    if (!straight || !is_steady(code, begin + 1, end - 1) || limit.space() != Space::temporary ||
         limit.index() != code.instructions[last].target) {
         return found;
     }
-    better.form = Condition::Form::elapsed_derived;
-    better.derived = add_derived(program, variable, copy_of(code, begin + 1, end - 1));
+    better.form = Condition::Form::elapsed_variable;
+    better.variables = copy_of(code, begin + 1, end - 1);
     return better;
+}
+
+// Adds `result op literal`, or `literal op result`, to the steps: to the last one if that has room.
+void add_step(std::vector<FormulaStep>& steps, CodeOp op, bool literal_first, double literal) {
+    const FormulaStep fresh;
+    // a number, by its bits: 0.0 is no -0.0
+    const auto is_unset = [](double value, double unset) {
+        return Value::real(value) == Value::real(unset);
+    };
+    const auto last = [&](bool has_room) -> FormulaStep& {
+        const bool divided = !steps.empty() && steps.back().division != FormulaStep::Division::none;
+        return steps.empty() || divided || !has_room ? steps.emplace_back() : steps.back();
+    };
+    const bool may_add = !steps.empty() && is_unset(steps.back().summand, fresh.summand);
+    const bool may_multiply = may_add && is_unset(steps.back().factor, fresh.factor);
+    switch (op) {
+    case CodeOp::multiply: last(may_multiply).factor = literal; return;
+    case CodeOp::add: last(may_add).summand = literal; return;
+    case CodeOp::subtract:
+        if (literal_first) {
+            last(may_multiply).factor = -1.0;
+            steps.back().summand = literal;
+        } else {
+            last(may_add).summand = -literal;
+        }
+        return;
+    default: {
+        FormulaStep& step = last(true);
+        step.literal = literal;
+        step.division =
+            literal_first ? FormulaStep::Division::of_literal : FormulaStep::Division::by_literal;
+    }
+    }
 }
 
 // E op E op …, from a number that stands for itself: one chain through the accumulator.
@@ -127,7 +149,7 @@ bool chain(const CodeTable& code, const Instruction* in, std::vector<FormulaStep
         const bool literal =
             other.space() == Space::constant && code.constants[other.index()].is(Value::Kind::real);
         if (!chained || !is_arithmetic(next.op) || !literal) { return false; }
-        steps.push_back({next.op, !result_first, code.constants[other.index()].as_real()});
+        add_step(steps, next.op, !result_first, code.constants[other.index()].as_real());
     }
     return true;
 }
@@ -146,25 +168,21 @@ Condition find_condition(Program& program, CodeId code) {
                                                             : found;
 }
 
+bool is_steady(const CodeTable& code, CodeId id) {
+    return is_steady(code, id.index, static_cast<std::uint32_t>(code.instructions.size()));
+}
+
 FormulaId find_formula(Program& program, CodeId code) {
     const Instruction& first = program.code.instructions[code.index];
-    const auto end = static_cast<std::uint32_t>(program.code.instructions.size());
     Formula found{.at = first.extra};
     std::vector<FormulaStep> steps;
     switch (first.op) {
     case CodeOp::elapsed_since: break;
     case CodeOp::elapsed_count: found.source = Formula::Source::elapsed_count; break;
     case CodeOp::sensor_real: found.source = Formula::Source::sensor; break;
-    default: {
-        const SlotId variable = only_variable(program.code, code.index, end);
-        if (!variable) { return {}; }
-        found.source = Formula::Source::derived;
-        found.at = add_derived(program, variable, code).index;
+    default: return {};
     }
-    }
-    if (found.source != Formula::Source::derived && !chain(program.code, &first, steps)) {
-        return {};
-    }
+    if (!chain(program.code, &first, steps)) { return {}; }
     found.first_step = static_cast<std::uint32_t>(program.formula_steps.size());
     found.step_count = static_cast<std::uint32_t>(steps.size());
     program.formula_steps.insert(program.formula_steps.end(), steps.begin(), steps.end());

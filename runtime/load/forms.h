@@ -1,7 +1,7 @@
 // Recognises the expressions that robots ask in every cycle, and gives them forms that the
-// interpreter answers without evaluating code: sensors, times, formulas, numbers that one variable
-// decides. What has no such form keeps its code alone. Private to runtime/load. Covered by
-// tests/load/forms_test.cpp.
+// interpreter answers without evaluating code, or not in every cycle: sensors, times, formulas,
+// what only variables decide. What has no such form keeps its code alone. Private to runtime/load.
+// Covered by tests/load/forms_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,5 +15,9 @@ Condition find_condition(Program& program, CodeId code);
 /// The formula that computes the same as the code, none if there is no such formula. The code must
 /// be the one emitted last.
 FormulaId find_formula(Program& program, CodeId code);
+
+/// Whether only variables of a machine decide what the code gives, not the time, a sensor or a
+/// draw. The code must be the one emitted last.
+bool is_steady(const CodeTable& code, CodeId id);
 
 }  // namespace trellis

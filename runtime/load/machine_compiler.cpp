@@ -38,13 +38,17 @@ void MachineCompiler::machine() {
     }
     for (std::uint32_t i = 0; i < elements_.size(); ++i) {
         if (elements_[i] && program.rows[i].op == Op::invoke) { fill_invoke({i}); }
-        if (elements_[i] && is_state(RowId{i})) { find_quiet_guards({i}); }
     }
     for (InvokedTree& tree : trees_) {
         tree.compiler.finish();
     }
     find_dependence_on_time();
     if (computes_source_) { find_sources(); }
+    // of parallel states several are active at once; `_event` is written in every cycle
+    if (program.has_parallel || program.event_slot) { return; }
+    for (std::uint32_t i = 0; i < elements_.size(); ++i) {
+        if (elements_[i] && is_state(RowId{i})) { find_quiet({i}); }
+    }
 }
 
 bool MachineCompiler::is_state(ElementId e) const {

@@ -57,7 +57,9 @@ private:
     void name_state(ElementId e, RowId n);
     // what states have: machine_states.cpp
     void fill_state(RowId n);
-    void find_quiet_guards(RowId n);
+    void find_quiet(RowId n);
+    RowId quiet_activity(RowId n) const;
+    std::optional<std::vector<Condition>> guards_of_tick(RowId n) const;
     void transition(ElementId e, RowId source);
     bool add_targets(const Attribute& attribute, RowId inside, Transition& transition);
     void check_targets(const Attribute& attribute, const Transition& transition);

@@ -50,10 +50,31 @@ void MachineCompiler::fill_state(RowId n) {
     program.states[program.at(n).arg] = state;
 }
 
-// What the event `tick` asks while the state is the active atomic one.
-void MachineCompiler::find_quiet_guards(RowId n) {
-    Program& program = builder_.program;
-    StateInfo& state = program.states[program.at(n).arg];
+// The only activity in a state and around it, if the interpreter is not needed to tick it.
+RowId MachineCompiler::quiet_activity(RowId n) const {
+    const Program& program = builder_.program;
+    RowId invoke;
+    for (RowId at = n; at; at = program.at(at).parent) {
+        for (const RowId c : children(program, at).first(program.state(at).invokes)) {
+            if (invoke) { return {}; }
+            invoke = c;
+        }
+    }
+    // a machine that is invoked has no row below its own
+    if (!invoke || program.at(invoke).end.index == invoke.index + 1) { return {}; }
+    const RowId body{invoke.index + 1};
+    if (program.at(body).op != Op::action) { return {}; }
+    const LeafCall& leaf = program.call(body);
+    for (std::uint32_t i = 0; i < leaf.input_count; ++i) {
+        const LiveInput& input = program.live_inputs[leaf.first_input + i];
+        if (!input.formula && !input.steady) { return {}; }
+    }
+    return leaf.output_count == 0 ? body : RowId();
+}
+
+// What the event `tick` asks in a state and around it; nothing if that can need code.
+std::optional<std::vector<Condition>> MachineCompiler::guards_of_tick(RowId n) const {
+    const Program& program = builder_.program;
     std::vector<Condition> guards;
     for (RowId at = n; at; at = program.state(at).outer) {
         const StateInfo& around = program.state(at);
@@ -64,14 +85,47 @@ void MachineCompiler::find_quiet_guards(RowId n) {
                 named = named ||
                         program.matches(program.descriptors[t.first_event + k], program.tick_event);
             }
-            if (t.event_count == 0 || (named && t.guard.form == Condition::Form::code)) { return; }
+            const Condition::Form form = t.guard.form;
+            const bool needs_code =
+                form == Condition::Form::code || form == Condition::Form::always;
+            if (t.event_count == 0 || (named && needs_code)) { return {}; }
             if (named) { guards.push_back(t.guard); }
         }
     }
-    state.may_be_quiet = true;
-    state.first_guard = static_cast<std::uint32_t>(program.quiet_guards.size());
-    state.guard_count = static_cast<std::uint32_t>(guards.size());
-    program.quiet_guards.insert(program.quiet_guards.end(), guards.begin(), guards.end());
+    return guards;
+}
+
+void MachineCompiler::find_quiet(RowId n) {
+    Program& program = builder_.program;
+    if (!program.state(n).atomic) { return; }
+    const RowId activity = quiet_activity(n);
+    const auto guards = activity ? guards_of_tick(n) : std::nullopt;
+    if (!guards) { return; }
+    const auto size = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
+    QuietState quiet{.first_sensor = size(program.quiet_sensors),
+                     .first_time = size(program.quiet_times),
+                     .first_input = size(program.quiet_inputs),
+                     .call = program.at(activity).arg,
+                     .activity = activity};
+    for (const Condition& guard : *guards) {
+        if (guard.form == Condition::Form::sensor) {
+            program.quiet_sensors.push_back(guard.at);
+        } else {
+            program.quiet_times.push_back(guard);
+        }
+    }
+    const LeafCall& leaf = program.calls[quiet.call];
+    for (std::uint32_t i = leaf.first_input; i < leaf.first_input + leaf.input_count; ++i) {
+        const LiveInput& input = program.live_inputs[i];
+        if (input.formula) {
+            program.quiet_inputs.push_back({program.formulas[input.formula.index], input.offset});
+        }
+    }
+    quiet.sensor_count = size(program.quiet_sensors) - quiet.first_sensor;
+    quiet.time_count = size(program.quiet_times) - quiet.first_time;
+    quiet.input_count = size(program.quiet_inputs) - quiet.first_input;
+    program.states[program.at(n).arg].quiet = {size(program.quiet_states)};
+    program.quiet_states.push_back(quiet);
 }
 
 void MachineCompiler::transition(ElementId e, RowId source) {

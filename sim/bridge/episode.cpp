@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "sim/bridge/episode.h"
 
-#include "exec/step.h"
-
 #include <utility>
 
 namespace trellis {
 
 Episode::Episode(const Program& program, EpisodeSetup setup)
-    : program_(&program), setup_(std::move(setup)), robot_(at_start(setup_.world)),
-      state_(fresh_state(program)) {
+    : program_(&program), setup_(std::move(setup)), options_{.dt = setup_.dt},
+      robot_(at_start(setup_.world)), state_(fresh_state(program)) {
     state_.random = setup_.random;
-    start(program, state_, robot_, {.dt = setup_.dt});
+    start(program, state_, robot_, options_);
 }
 
 bool Episode::tick(TraceSink* trace) {
     sense(setup_.world, robot_);
-    status_ = step(*program_, state_, robot_, {.dt = setup_.dt, .trace = trace});
+    options_.trace = trace;
+    status_ = step(*program_, state_, robot_, options_);
     if (state_.fault) { return false; }
     move(robot_, setup_.dt);
     return true;

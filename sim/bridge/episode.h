@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/state.h"
 #include "core/trace.h"
+#include "exec/step.h"
 #include "sim/lab_world.h"
 #include "sim/roomba.h"
 
@@ -54,6 +55,7 @@ public:
 private:
     const Program* program_;
     EpisodeSetup setup_;
+    StepOptions options_;  // kept, because a tick takes little longer than filling them in
     Roomba robot_;
     State state_;
     Status status_ = Status::running;

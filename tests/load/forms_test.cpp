@@ -1,5 +1,5 @@
 // Which guards and inputs get a form that needs no code. That forms and code say the same is in
-// tests/exec/quiet_cycle_test.cpp.
+// tests/exec/quiet_step_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "load/forms.h"
 
@@ -35,12 +35,12 @@ Condition::Form guard(const std::string& cond) {
     return program.transitions.back().guard.form;
 }
 
-// "elapsed", "sensor", "derived", or "code"; the number of steps after it
+// "elapsed", "sensor", "steady" or "code"; the number of steps after the first two
 std::string input(const std::string& expr) {
     const Program program = machine("_x.bumper", expr);
     const FormulaId id = program.live_inputs.back().formula;
-    if (!id) { return "code"; }
-    static constexpr const char* names[] = {"elapsed", "elapsed", "sensor", "derived"};
+    if (!id) { return program.live_inputs.back().steady ? "steady" : "code"; }
+    static constexpr const char* names[] = {"elapsed", "elapsed", "sensor"};
     const Formula& formula = program.formulas[id.index];
     return std::string(names[static_cast<std::size_t>(formula.source)]) + ' ' +
            std::to_string(formula.step_count);
@@ -53,11 +53,11 @@ TEST_CASE("forms: sensors and times are answered without code, other guards are 
     CHECK(guard("_x.bumper") == sensor);
     CHECK(guard("elapsed() &gt; 2.5") == elapsed);
     CHECK(guard("elapsed() &gt; v") == elapsed_variable);
-    CHECK(guard("elapsed() &gt; abs(v) / 0.5") == elapsed_derived);
-    CHECK(guard("elapsed() &gt; v * v + 1") == elapsed_derived);
+    CHECK(guard("elapsed() &gt; abs(v) / 0.5") == elapsed_variable);
+    CHECK(guard("elapsed() &gt; v * v + 1") == elapsed_variable);
     CHECK(guard("!_x.bumper") == code);
     CHECK(guard("elapsed() &gt;= 2.5") == code);
-    CHECK(guard("elapsed() &gt; v + w") == code);
+    CHECK(guard("elapsed() &gt; v + w") == elapsed_variable);
     CHECK(guard("elapsed() &gt; (v &gt; 0 ? 1 : 2)") == code);
     CHECK(guard("elapsed() &gt; v + uniform(0, 1)") == code);
     CHECK(guard("elapsed() &gt; v + _x.x") == code);
@@ -66,16 +66,21 @@ TEST_CASE("forms: sensors and times are answered without code, other guards are 
     CHECK(guard("2 &gt; elapsed()") == code);
 }
 
-TEST_CASE("forms: arithmetic with literals and numbers of one variable need no code") {
-    CHECK(input("0.5 / (0.2 + 0.05 * elapsed())") == "elapsed 3");
+TEST_CASE("forms: arithmetic with literals needs no code, and few steps") {
     CHECK(input("elapsed()") == "elapsed 0");
     CHECK(input("_x.x - 1.0") == "sensor 1");
-    CHECK(input("v") == "derived 0");
-    CHECK(input("v &gt; 0 ? 0.5 : -0.5") == "derived 0");
-    CHECK(input("v + v * 2 - abs(v)") == "derived 0");
-    CHECK(input("v + w") == "code");
+    CHECK(input("1.0 - 2.0 * _x.x") == "sensor 2");
+    CHECK(input("0.5 / (0.2 + 0.05 * elapsed())") == "elapsed 1");
+    CHECK(input("(elapsed() + 1.0) * 2.0 * 3.0 / 7.0 + 1.0") == "elapsed 4");
     CHECK(input("v + elapsed()") == "code");
     CHECK(input("v + _x.x") == "code");
+}
+
+TEST_CASE("forms: what only variables decide is steady") {
+    CHECK(input("v") == "steady");
+    CHECK(input("v &gt; 0 ? 0.5 : -0.5") == "steady");
+    CHECK(input("v + v * 2 - abs(v)") == "steady");
+    CHECK(input("v + w") == "steady");
     CHECK(input("uniform(0, v)") == "code");
     CHECK(input("(v := 2) + 1") == "code");
 }

@@ -1,4 +1,4 @@
-// Quiet cycles give what whole cycles give. A traced step never is a quiet one, so two runs of the
+// Quiet steps give what whole steps give. A traced step never is a quiet one, so two runs of the
 // same machine, one of them traced, are compared tick by tick.
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <string>
 
 namespace trellis {
@@ -55,7 +56,7 @@ Status compare(std::string_view states, int ticks, const Change& change = {}) {
 
 }  // namespace
 
-TEST_CASE("quiet cycle: every form of guard and input gives what its code gives") {
+TEST_CASE("quiet step: every form of guard and input gives what its code gives") {
     const Status status = compare(R"xml(
         <datamodel><data id="limit" expr="2"/><data id="angle" expr="0.75"/></datamodel>
         <state id="a">
@@ -87,7 +88,7 @@ TEST_CASE("quiet cycle: every form of guard and input gives what its code gives"
     CHECK(status == Status::running);
 }
 
-TEST_CASE("quiet cycle: a variable that the host changes is noticed, whatever it then holds") {
+TEST_CASE("quiet step: a variable that the host changes is noticed, whatever it then holds") {
     compare(R"xml(
         <datamodel><data id="v" expr="4.0"/></datamodel>
         <state id="a">
@@ -100,6 +101,7 @@ TEST_CASE("quiet cycle: a variable that the host changes is noticed, whatever it
         </state>)xml",
             400, [](std::uint64_t tick, Roomba&, State& state) {
                 Value& v = state.slots[0];
+                wake(state);
                 switch (tick % 40) {
                 case 7: v = Value::integer(3); break;
                 case 13: v = Value::real(std::nan("")); break;
@@ -114,7 +116,70 @@ TEST_CASE("quiet cycle: a variable that the host changes is noticed, whatever it
             });
 }
 
-TEST_CASE("quiet cycle: one activity of several, or none, is as without the short cut") {
+TEST_CASE("quiet step: every form of formula rounds as its code does") {
+    for (const std::string_view formula : {"_x.x",
+                                           "_x.x * 3.0",
+                                           "3.0 * _x.x",
+                                           "_x.x + 0.1",
+                                           "0.1 + _x.x",
+                                           "_x.x - 0.1",
+                                           "0.1 - _x.x",
+                                           "_x.x / 3.0",
+                                           "3.0 / _x.x",
+                                           "0.1 - _x.x * 3.0",
+                                           "_x.x * 3.0 * 7.0",
+                                           "(_x.x + 0.1) * 3.0",
+                                           "_x.x + 0.1 + 0.7",
+                                           "_x.x / 3.0 / 7.0 - 0.1",
+                                           "0.1 - (0.7 - _x.x)",
+                                           "3.0 / (0.7 / (0.1 - _x.x)) + 0.0",
+                                           "_x.x + 0.0",
+                                           "_x.x - 0.0",
+                                           "0.0 - _x.x",
+                                           "_x.x * 1.0",
+                                           "_x.x * -1.0 * 0.0"}) {
+        CAPTURE(formula);
+        compare("<state id='a'><invoke type='leaf' src='SetVelocity'><param name='linear' expr='" +
+                    std::string(formula) + "'/></invoke></state>",
+                60, [](std::uint64_t tick, Roomba& robot, State&) {
+                    static constexpr double special[] = {0.0, -0.0, 1e308, -1e308, 5e-324};
+                    robot.x = tick < std::size(special) ? special[tick]
+                                                        : 0.1 * static_cast<double>(tick) - 2.0;
+                });
+    }
+}
+
+TEST_CASE("quiet step: limits of every size end it in the cycle that the guard asks for") {
+    for (const std::string_view limit : {"0.0", "-1.0", "0.5", "2.0", "2.25", "1e300", "0.0 / 0.0",
+                                         "1 / 0", "-1 / 0", "true", "'2'"}) {
+        CAPTURE(limit);
+        compare("<datamodel><data id='limit' expr=\"" + std::string(limit) +
+                    "\"/></datamodel><state id='a'><invoke type='leaf' src='SetVelocity'/>"
+                    "<transition event='tick' cond='elapsed() &gt; limit' target='b'/></state>"
+                    "<state id='b'><invoke type='leaf' src='SetVelocity'/>"
+                    "<transition event='tick' cond='elapsed() &gt; limit * 2' target='a'/></state>",
+                40);
+    }
+}
+
+TEST_CASE("quiet step: a step of another length is counted as such") {
+    const Program program = test::loaded(test::machine_file(R"xml(
+        <state id="a"><invoke type="leaf" src="SetVelocity"/>
+          <transition event="tick" cond="elapsed() &gt; 2.0" target="b"/></state>
+        <state id="b"/>)xml"),
+                                         {}, roomba());
+    State state = fresh_state(program);
+    Roomba robot;
+    for (int i = 0; i < 3; ++i) {
+        step(program, state, robot, {.dt = 0.5});
+    }
+    CHECK(state.quiet.cycles == 2);
+    // three cycles, each of a second
+    step(program, state, robot, {.dt = 1.0});
+    CHECK(program.name(state.session.atom) == "b");
+}
+
+TEST_CASE("quiet step: one activity of several, or none, is as without the short cut") {
     compare(R"xml(
         <state id="a">
           <invoke type="leaf" src="Wait"><param name="duration" expr="3.0"/></invoke>
@@ -125,7 +190,7 @@ TEST_CASE("quiet cycle: one activity of several, or none, is as without the shor
             100);
 }
 
-TEST_CASE("quiet cycle: an activity that asks for a random number that is not there is a fault") {
+TEST_CASE("quiet step: an activity that asks for a random number that is not there is a fault") {
     const std::string states = R"xml(
         <state id="a"><invoke type="leaf" src="GoBack"/>
           <transition event="done.invoke" target="b"/></state>
