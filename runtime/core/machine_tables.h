@@ -73,11 +73,11 @@ struct Transition {
 /// it, and its only activity goes on. Made for states where nothing of this needs code: guards that
 /// ask sensors or the time, an action without outputs whose inputs are formulas or do not change.
 struct QuietState {
-    std::uint32_t first_sensor = 0,
-                  sensor_count = 0;                  ///< Program::quiet_sensors: see Condition::at
-    std::uint32_t first_time = 0, time_count = 0;    ///< Program::quiet_times
-    std::uint32_t first_input = 0, input_count = 0;  ///< Program::quiet_inputs
-    std::uint32_t call = 0;                          ///< Program::calls, of the activity
+    // parts of Program::quiet_sensors (see Condition::at), quiet_times and quiet_inputs
+    std::uint32_t first_sensor = 0, sensor_end = 0;
+    std::uint32_t first_time = 0, time_end = 0;
+    std::uint32_t first_input = 0, input_end = 0;
+    std::uint32_t call = 0;  ///< Program::calls, of the activity
     RowId activity;
 
     friend bool operator==(const QuietState&, const QuietState&) = default;

@@ -24,20 +24,21 @@ Status Stepper::finish_quiet_step(Status status) {
 
 namespace {
 
-// The least n for which n * dt > limit, if n fits; dt is not negative.
+// The least n for which n * dt > limit, at most 2^32; dt is not negative.
 std::uint64_t cycles_until(double limit, double dt) {
-    constexpr std::uint64_t none = std::uint64_t{1} << 32;
-    std::uint64_t low = 0;
-    std::uint64_t high = none;
-    while (low != high) {
-        const std::uint64_t middle = low + (high - low) / 2;
-        if (static_cast<std::uint32_t>(middle) * dt > limit) {
-            high = middle;
-        } else {
-            low = middle + 1;
-        }
+    constexpr std::uint64_t most = std::uint64_t{1} << 32;
+    const double quotient = limit / dt;
+    if (limit < 0.0) { return 0; }
+    if (!(quotient < static_cast<double>(most))) { return most; }
+    // rounding has moved the quotient by a few cycles at most
+    auto n = static_cast<std::uint64_t>(quotient);
+    while (n != 0 && static_cast<double>(n - 1) * dt > limit) {
+        --n;
     }
-    return low;
+    while (n != most && !(static_cast<double>(n) * dt > limit)) {
+        ++n;
+    }
+    return n;
 }
 
 }  // namespace
@@ -47,14 +48,20 @@ std::uint64_t cycles_until(double limit, double dt) {
 void Stepper::find_quiet_cycles() {
     const Session& session = s_.session;
     const QuietId id = p_.state(session.atom).quiet;
-    if (!id || !(tick_.dt >= 0.0) || !session.internal.empty() || !session.pending.empty()) {
+    if (!id || !(tick_.dt >= 0.0) || !session.internal.empty() || !session.pending.empty() ||
+        !s_.children.empty()) {
         return;
     }
     const QuietState& quiet = p_.quiet_states[id.index];
     if (status_[quiet.activity.index] != Status::running) { return; }
     std::uint64_t cycles = std::numeric_limits<std::uint32_t>::max();
-    for (std::uint32_t i = 0; i < quiet.time_count; ++i) {
-        const Condition& guard = p_.quiet_times[quiet.first_time + i];
+    if (!session.delayed.empty()) {
+        // the cycle that delivers a message is none of them; this one is s_.tick
+        const std::uint64_t due = session.delayed.front().due;
+        cycles = std::min(cycles, due > s_.tick ? due - s_.tick - 1 : 0);
+    }
+    for (std::uint32_t i = quiet.first_time; i != quiet.time_end; ++i) {
+        const Condition& guard = p_.quiet_times[i];
         double limit = guard.limit;
         if (guard.form == Condition::Form::elapsed_variable) {
             Value value;

@@ -25,12 +25,6 @@ struct QuietStep {
 
 namespace detail {
 
-/// Whether machines run that this one has invoked, or a message is due.
-inline bool has_business(const State& state) {
-    const std::vector<Delayed>& delayed = state.session.delayed;
-    return !state.children.empty() || (!delayed.empty() && delayed.front().due <= state.tick + 1);
-}
-
 [[gnu::always_inline]] inline QuietStep tick_leaf(const LeafCall& leaf, std::byte* self, RowId row,
                                                   State& state, HostRef host, double dt) {
     state.last_leaf = row;
@@ -43,13 +37,12 @@ inline bool has_business(const State& state) {
 [[gnu::always_inline]] inline QuietStep quiet_cycle(const Program& program, State& state,
                                                     HostRef host, const StepOptions& options) {
     Session& session = state.session;
-    if (options.trace != nullptr || options.dt != state.quiet.dt || !session.external.empty() ||
-        (program.has_messages && detail::has_business(state))) {
+    if (options.trace != nullptr || options.dt != state.quiet.dt || !session.external.empty()) {
         return {};
     }
     const QuietState& quiet = program.quiet_states[state.quiet.id.index];
-    const std::uint32_t* const sensors = program.quiet_sensors.data() + quiet.first_sensor;
-    for (std::uint32_t i = 0; i != quiet.sensor_count; ++i) {
+    const std::uint32_t* const sensors = program.quiet_sensors.data();
+    for (std::uint32_t i = quiet.first_sensor; i != quiet.sensor_end; ++i) {
         if (sensed(host.object, sensors[i])) { return {}; }
     }
 
@@ -58,8 +51,8 @@ inline bool has_business(const State& state) {
     const LeafCall& leaf = program.calls[quiet.call];
     std::byte* const self = state.leaves.data() + leaf.offset;
     const FormView view{program, state, host.object, session.clock, options.dt};
-    const QuietInput* const inputs = program.quiet_inputs.data() + quiet.first_input;
-    for (std::uint32_t i = 0; i != quiet.input_count; ++i) {
+    const QuietInput* const inputs = program.quiet_inputs.data();
+    for (std::uint32_t i = quiet.first_input; i != quiet.input_end; ++i) {
         const double value = compute(view, inputs[i].formula);
         std::memcpy(self + inputs[i].offset, &value, sizeof value);
     }

@@ -121,9 +121,9 @@ void MachineCompiler::find_quiet(RowId n) {
             program.quiet_inputs.push_back({program.formulas[input.formula.index], input.offset});
         }
     }
-    quiet.sensor_count = size(program.quiet_sensors) - quiet.first_sensor;
-    quiet.time_count = size(program.quiet_times) - quiet.first_time;
-    quiet.input_count = size(program.quiet_inputs) - quiet.first_input;
+    quiet.sensor_end = size(program.quiet_sensors);
+    quiet.time_end = size(program.quiet_times);
+    quiet.input_end = size(program.quiet_inputs);
     program.states[program.at(n).arg].quiet = {size(program.quiet_states)};
     program.quiet_states.push_back(quiet);
 }

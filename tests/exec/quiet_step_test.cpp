@@ -162,6 +162,34 @@ TEST_CASE("quiet step: limits of every size end it in the cycle that the guard a
     }
 }
 
+TEST_CASE("quiet step: a message and an event of the host are answered in their cycle") {
+    compare(R"xml(
+        <state id="a">
+          <onentry><send event="late" delay="3s"/><send event="later" delay="3.2s"/></onentry>
+          <invoke type="leaf" src="SetVelocity"><param name="linear" expr="elapsed()"/></invoke>
+          <transition event="late" target="b"/>
+        </state>
+        <state id="b">
+          <invoke type="leaf" src="SetVelocity"><param name="linear" expr="2.0"/></invoke>
+          <transition event="later hello" target="a"/>
+        </state>)xml",
+            60);
+    const Program program = test::loaded(test::machine_file(R"xml(
+        <state id="a"><invoke type="leaf" src="SetVelocity"/>
+          <transition event="hello" target="b"/></state>
+        <state id="b"/>)xml"),
+                                         {}, roomba());
+    State state = fresh_state(program);
+    Roomba robot;
+    for (int i = 0; i < 3; ++i) {
+        step(program, state, robot, {});
+    }
+    CHECK(state.quiet.cycles > 0);
+    send(program, state, "hello");
+    step(program, state, robot, {});
+    CHECK(program.name(state.session.atom) == "b");
+}
+
 TEST_CASE("quiet step: a step of another length is counted as such") {
     const Program program = test::loaded(test::machine_file(R"xml(
         <state id="a"><invoke type="leaf" src="SetVelocity"/>
