@@ -41,6 +41,13 @@ void add_options(CLI::App& app, LoadArguments& arguments) {
         ->type_name("NAME=FOLDER")
         ->allow_extra_args(false)
         ->check(name_and_value);
+    app.add_option("--nodes", arguments.nodes,
+                   "take the leaves that the TreeNodesModel of a file declares as known")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    app.add_option("--mock", arguments.mock,
+                   "put other nodes in the place of some, as the rules in a JSON file say")
+        ->type_name("RULES");
 }
 
 RoombaRegistry::RoombaRegistry() {
@@ -74,34 +81,23 @@ std::optional<Source> FileReader::read(std::string_view path, std::string_view f
     return Source{file, std::move(*text)};
 }
 
-std::optional<Behaviour> read_behaviour(const std::string& file, const LoadArguments& arguments,
-                                        const Registry& registry, Streams& streams) {
-    std::optional<std::string> text = read_text(file, streams, DocumentLimits().bytes);
-    if (!text) { return {}; }
-    return compile_behaviour({shown_name(file), std::move(*text)}, arguments, registry, streams);
-}
-
-Behaviour compile_behaviour(Source source, const LoadArguments& arguments, const Registry& registry,
-                            Streams& streams) {
+std::optional<Behaviour> compile_behaviour(Source source, const LoadArguments& arguments,
+                                           const Registry& registry, Streams& streams) {
     Behaviour behaviour{source.name, {}};
     FileReader reader(arguments, streams.files);
     LoadOptions options{.reader = &reader, .main_tree = arguments.main_tree};
     for (const std::string& given : arguments.set) {
         options.given.push_back(split(given));
     }
+    Source rules{shown_name(arguments.mock), {}};
+    if (!arguments.mock.empty()) {
+        std::optional<std::string> text =
+            read_text(arguments.mock, streams, DocumentLimits().bytes);
+        if (!text) { return {}; }
+        rules.text = std::move(*text);
+        options.substitutions = &rules;
+    }
     behaviour.program = load(std::move(source), registry, behaviour.diagnostics, options);
-    return behaviour;
-}
-
-std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
-                                        const Registry& registry, Streams& streams, Exit& exit) {
-    std::optional<Behaviour> behaviour = read_behaviour(file, arguments, registry, streams);
-    exit = Exit::file;
-    if (!behaviour) { return {}; }
-    show(behaviour->diagnostics, streams);
-    exit = Exit::no;
-    if (!behaviour->program) { return {}; }
-    exit = Exit::yes;
     return behaviour;
 }
 

@@ -1,5 +1,6 @@
 // Loading a behaviour file for a command: the options that say which and how, the files it
-// includes, the Roomba's leaves. Covered by tests/runner/behaviour_test.cpp.
+// includes, the Roomba's leaves. Leaves of other robots are in declarations.h. Covered by
+// tests/runner/behaviour_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,10 +28,11 @@ struct LoadArguments {
     std::string main_tree;              ///< --tree ID; empty: what the file says
     std::vector<std::string> set;       ///< --set name=value
     std::vector<std::string> packages;  ///< --ros-pkg NAME=FOLDER
-    std::vector<std::string> nodes;     ///< --nodes FILE, of commands that have it
+    std::vector<std::string> nodes;     ///< --nodes FILE
+    std::string mock;                   ///< --mock RULES; empty: none
 };
 
-/// Adds --tree, --set and --ros-pkg to a command.
+/// Adds --tree, --set, --ros-pkg, --nodes and --mock to a command.
 void add_options(CLI::App& app, LoadArguments& arguments);
 
 /// The Roomba's leaves and sensors, as a value that a command keeps while its programs live.
@@ -62,18 +64,10 @@ struct Behaviour {
     Source source() const { return {name, std::string(diagnostics.file_text(0))}; }
 };
 
-/// Reads and compiles a file, without a message about what is wrong in it; none, after a message,
-/// if it cannot be read. `registry` must outlive the result.
-std::optional<Behaviour> read_behaviour(const std::string& file, const LoadArguments& arguments,
-                                        const Registry& registry, Streams& streams);
-
-/// Compiles what was read, with the files it includes.
-Behaviour compile_behaviour(Source source, const LoadArguments& arguments, const Registry& registry,
-                            Streams& streams);
-
-/// Reads and compiles a file that is to be run; none after messages, with what to return in `exit`.
-std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
-                                        const Registry& registry, Streams& streams, Exit& exit);
+/// Compiles what was read, with the files it includes and the rules of --mock; none, after a
+/// message, if these cannot be read.
+std::optional<Behaviour> compile_behaviour(Source source, const LoadArguments& arguments,
+                                           const Registry& registry, Streams& streams);
 
 /// The file as a document, before any check of what it means; none after messages.
 std::optional<Document> load_document(const std::string& file, Streams& streams, Exit& exit);

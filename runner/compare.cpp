@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runner/commands.h"
 #include "runner/compare_report.h"
+#include "runner/declarations.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,28 +18,32 @@ namespace {
 /// A file with everything that an Entrant refers to. Stays where it is: the labels point into it.
 class Loaded {
 public:
-    Loaded(Behaviour behaviour, Document document)
-        : behaviour_(std::move(behaviour)), document_(std::move(document)),
-          labels_(*behaviour_.program) {}
+    Loaded(std::unique_ptr<RoombaRegistry> registry, Behaviour behaviour, Document document)
+        : registry_(std::move(registry)), behaviour_(std::move(behaviour)),
+          document_(std::move(document)), labels_(*behaviour_.program) {}
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
 
     Entrant entrant() const { return {behaviour_.name, *behaviour_.program, document_, labels_}; }
 
 private:
+    std::unique_ptr<RoombaRegistry> registry_;
     Behaviour behaviour_;
     Document document_;
     Labels labels_;
 };
 
 std::unique_ptr<Loaded> load_entrant(const std::string& file, const LoadArguments& arguments,
-                                     const Registry& registry, Streams& streams, Exit& exit) {
-    std::optional<Behaviour> behaviour = load_behaviour(file, arguments, registry, streams, exit);
+                                     Streams& streams, Exit& exit) {
+    // what one file declares is not known in the other
+    auto registry = std::make_unique<RoombaRegistry>();
+    std::optional<Behaviour> behaviour = load_behaviour(file, arguments, *registry, streams, exit);
     if (!behaviour) { return nullptr; }
     // what compiled can be read once more, without a finding
     Diagnostics diagnostics;
     Document document = *read(behaviour->source(), diagnostics);
-    return std::make_unique<Loaded>(std::move(*behaviour), std::move(document));
+    return std::make_unique<Loaded>(std::move(registry), std::move(*behaviour),
+                                    std::move(document));
 }
 
 /// The random numbers of each match and their names; none after messages.
@@ -89,11 +94,10 @@ Exit execute(const CompareArguments& arguments, Streams& streams) {
     if (arguments.a == "-" && arguments.b == "-") {
         return complain(streams, Exit::usage, "only one of the files can be standard input");
     }
-    const RoombaRegistry registry;
     Exit exit = Exit::yes;
-    const auto a = load_entrant(arguments.a, arguments.load, registry, streams, exit);
+    const auto a = load_entrant(arguments.a, arguments.load, streams, exit);
     if (!a) { return exit; }
-    const auto b = load_entrant(arguments.b, arguments.load, registry, streams, exit);
+    const auto b = load_entrant(arguments.b, arguments.load, streams, exit);
     if (!b) { return exit; }
     const Entrant a_entrant = a->entrant();
     const Entrant b_entrant = b->entrant();

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "runner/declarations.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -76,14 +74,33 @@ bool declare_file(const std::string& file, Registry& registry, Streams& streams,
     return true;
 }
 
-}  // namespace
-
-void add_nodes_option(CLI::App& app, LoadArguments& arguments) {
-    app.add_option("--nodes", arguments.nodes,
-                   "take the leaves that the TreeNodesModel of a file declares as known")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+/// Makes every use of a leaf that cannot be ticked an error.
+void refuse_declared(const Program& program, Diagnostics& diagnostics) {
+    for (RowId n{0}; n.index < program.rows.size(); ++n.index) {
+        const Op op = program.at(n).op;
+        if ((op != Op::action && op != Op::condition) || !is_declared(*program.call(n).type)) {
+            continue;
+        }
+        const Origin& place = program.origins[n.index];
+        diagnostics.error("only-declared", {place.file, place.line, place.column},
+                          program.call(n).type->name +
+                              " is only declared: it does not run here; a rule of --mock can put "
+                              "another node in its place");
+    }
+    for (const Program& machine : program.machines) {
+        refuse_declared(machine, diagnostics);
+    }
 }
+
+/// The behaviour, once its findings were told; none if it has no program.
+std::optional<Behaviour> told(Behaviour behaviour, Streams& streams, Exit& exit) {
+    show(behaviour.diagnostics, streams);
+    exit = behaviour.program ? Exit::yes : Exit::no;
+    if (!behaviour.program) { return {}; }
+    return behaviour;
+}
+
+}  // namespace
 
 void declare_leaves(const Document& document, Registry& registry) {
     for (const ElementId models : document.children(document.root())) {
@@ -123,7 +140,28 @@ std::optional<Behaviour> read_declaring(const std::string& file, const LoadArgum
         declare_leaves(*document, registry);
         source.text = said.file_text(0);
     }
-    return compile_behaviour(std::move(source), arguments, registry, streams);
+    std::optional<Behaviour> behaviour =
+        compile_behaviour(std::move(source), arguments, registry, streams);
+    if (!behaviour) { exit = Exit::file; }
+    return behaviour;
+}
+
+std::optional<Behaviour> load_declaring(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit) {
+    std::optional<Behaviour> behaviour = read_declaring(file, arguments, registry, streams, exit);
+    return behaviour ? told(std::move(*behaviour), streams, exit) : std::nullopt;
+}
+
+std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit) {
+    std::optional<Behaviour> behaviour = read_declaring(file, arguments, registry, streams, exit);
+    if (!behaviour) { return {}; }
+    if (behaviour->program) {
+        refuse_declared(*behaviour->program, behaviour->diagnostics);
+        behaviour->diagnostics.sort();
+        if (!behaviour->diagnostics.ok()) { behaviour->program.reset(); }
+    }
+    return told(std::move(*behaviour), streams, exit);
 }
 
 }  // namespace trellis

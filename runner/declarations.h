@@ -1,6 +1,6 @@
 // Leaves that are known only by their declaration in a <TreeNodesModel>, as those of another robot:
-// files that use them can be validated and tried, not run. Covered by
-// tests/runner/declarations_test.cpp.
+// files that use them can be validated and tried, and run where other nodes stand in their place
+// (--mock). Covered by tests/runner/declarations_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,9 +11,6 @@
 #include <vector>
 
 namespace trellis {
-
-/// Adds --nodes to a command.
-void add_nodes_option(CLI::App& app, LoadArguments& arguments);
 
 /// Registers the Actions and Conditions that the <TreeNodesModel>s of a document declare, with
 /// their ports, but for those that the registry already has. All their inputs may be absent.
@@ -27,10 +24,18 @@ inline bool is_declared(const LeafType& type) {
 /// A tree file that has a palette and no tree: what `trellis nodes --xml` writes.
 bool is_palette(const Document& document);
 
-/// As read_behaviour(), with the leaves known that the files of --nodes and the file itself
+/// Reads and compiles a file, with the leaves known that the files of --nodes and the file itself
 /// declare. None after messages, with what to return in `exit`; what is wrong in the file itself is
-/// not told.
+/// not told. `registry` must outlive the result.
 std::optional<Behaviour> read_declaring(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit);
+
+/// The same, and tells what is wrong; none if it has no program.
+std::optional<Behaviour> load_declaring(const std::string& file, const LoadArguments& arguments,
+                                        Registry& registry, Streams& streams, Exit& exit);
+
+/// The same of a file that is to be run: a leaf in it that is only declared is an error.
+std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
                                         Registry& registry, Streams& streams, Exit& exit);
 
 }  // namespace trellis

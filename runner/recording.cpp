@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runner/recording.h"
 
+#include "runner/declarations.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -229,10 +231,10 @@ std::optional<Recording> load_recording(const std::string& file, Streams& stream
 }
 
 std::optional<Behaviour> load_recorded(const std::string& file, LoadArguments arguments,
-                                       const Recording& recording, const Registry& registry,
+                                       const Recording& recording, Registry& registry,
                                        Streams& streams, Exit& exit) {
     if (arguments.main_tree.empty()) { arguments.main_tree = recording.tree; }
-    std::optional<Behaviour> behaviour = load_behaviour(file, arguments, registry, streams, exit);
+    std::optional<Behaviour> behaviour = load_declaring(file, arguments, registry, streams, exit);
     if (!behaviour) { return {}; }
     const std::string why = mismatch(recording, *behaviour->program);
     if (why.empty()) { return behaviour; }

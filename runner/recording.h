@@ -45,7 +45,7 @@ std::optional<Recording> load_recording(const std::string& file, Streams& stream
 /// Loads the behaviour that a recording was made of, with its --tree unless `arguments`
 /// name another; none after messages, also if it does not fit the recording.
 std::optional<Behaviour> load_recorded(const std::string& file, LoadArguments arguments,
-                                       const Recording& recording, const Registry& registry,
+                                       const Recording& recording, Registry& registry,
                                        Streams& streams, Exit& exit);
 
 }  // namespace trellis

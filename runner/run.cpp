@@ -3,6 +3,7 @@
 #include "exec/step.h"
 #include "runner/choice.h"
 #include "runner/commands.h"
+#include "runner/declarations.h"
 #include "runner/event_lines.h"
 #include "runner/run_report.h"
 #include "runner/start_events.h"
@@ -297,7 +298,7 @@ void add_options(CLI::App& app, RunArguments& arguments) {
 }
 
 Exit execute(const RunArguments& arguments, Streams& streams) {
-    const RoombaRegistry registry;
+    RoombaRegistry registry;
     Exit exit = Exit::yes;
     const std::optional<Behaviour> behaviour =
         load_behaviour(arguments.file, arguments.load, registry, streams, exit);

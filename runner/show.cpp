@@ -1,6 +1,7 @@
 // trellis show: pictures of a behaviour file, as it is written or as a run found it.
 // SPDX-License-Identifier: MIT
 #include "runner/commands.h"
+#include "runner/declarations.h"
 #include "runner/recording.h"
 #include "runner/run_highlights.h"
 #include "runner/table.h"
@@ -14,9 +15,9 @@ namespace trellis {
 
 namespace {
 
-Exit show_program(const ShowArguments& arguments, const Registry& registry, Streams& streams) {
+Exit show_program(const ShowArguments& arguments, Registry& registry, Streams& streams) {
     Exit exit = Exit::yes;
-    const auto behaviour = load_behaviour(arguments.file, arguments.load, registry, streams, exit);
+    const auto behaviour = load_declaring(arguments.file, arguments.load, registry, streams, exit);
     if (behaviour) { streams.out << dump(*behaviour->program); }
     return exit;
 }
@@ -49,7 +50,7 @@ void see(const ShowArguments& arguments, const Recording& recording, const Progr
 }
 
 /// The behaviour and what the recorded run did; none after messages.
-std::optional<Subject> load_with_trace(const ShowArguments& arguments, const Registry& registry,
+std::optional<Subject> load_with_trace(const ShowArguments& arguments, Registry& registry,
                                        Streams& streams, Exit& exit) {
     const std::optional<Recording> recording = load_recording(arguments.trace, streams, exit);
     if (!recording) { return {}; }
@@ -70,7 +71,7 @@ std::optional<Subject> load_with_trace(const ShowArguments& arguments, const Reg
     return subject;
 }
 
-std::optional<Subject> load_subject(const ShowArguments& arguments, const Registry& registry,
+std::optional<Subject> load_subject(const ShowArguments& arguments, Registry& registry,
                                     Streams& streams, Exit& exit) {
     if (!arguments.trace.empty()) { return load_with_trace(arguments, registry, streams, exit); }
     std::optional<Document> document = load_document(arguments.file, streams, exit);
@@ -108,7 +109,7 @@ void add_options(CLI::App& app, ShowArguments& arguments) {
 }
 
 Exit execute(const ShowArguments& arguments, Streams& streams) {
-    const RoombaRegistry registry;
+    RoombaRegistry registry;
     if (needs_trace(arguments)) {
         return complain(streams, Exit::usage, "--tick and --coverage need --trace FILE.jsonl");
     }

@@ -82,7 +82,7 @@ Exit execute(const TraceConvertArguments& arguments, Streams& streams) {
                         "the name \"" + arguments.out +
                             "\" does not say what to write: give --to chrome or --to btlog");
     }
-    const RoombaRegistry registry;
+    RoombaRegistry registry;
     Exit exit = Exit::yes;
     const std::optional<Recording> recording = load_recording(arguments.in, streams, exit);
     if (!recording) { return exit; }

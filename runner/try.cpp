@@ -330,7 +330,6 @@ void add_options(CLI::App& app, TryArguments& arguments) {
         ->type_name("N");
     app.add_flag("--ascii", arguments.ascii, "pictures of ASCII characters only");
     add_options(app, arguments.load);
-    add_nodes_option(app, arguments.load);
 }
 
 Exit execute(const TryArguments& arguments, Streams& streams) {
@@ -341,10 +340,8 @@ Exit execute(const TryArguments& arguments, Streams& streams) {
     RoombaRegistry registry;
     Exit exit = Exit::yes;
     std::optional<Behaviour> behaviour =
-        read_declaring(arguments.file, arguments.load, registry, streams, exit);
+        load_declaring(arguments.file, arguments.load, registry, streams, exit);
     if (!behaviour) { return exit; }
-    show(behaviour->diagnostics, streams);
-    if (!behaviour->program) { return Exit::no; }
     Mocks mocks(std::move(*behaviour->program), arguments.no_world);
     for (const std::string& text : arguments.outcomes) {
         const auto [name, letters] = assignment(text);

@@ -111,7 +111,6 @@ void add_options(CLI::App& app, ValidateArguments& arguments) {
     app.add_option("FILE", arguments.files, "tree and machine files; - is standard input")
         ->required();
     add_options(app, arguments.load);
-    add_nodes_option(app, arguments.load);
     add_format(app, arguments.format);
 }
 

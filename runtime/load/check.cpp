@@ -109,6 +109,7 @@ private:
         if (found && grammar_.at(found).open == ElementRule::Open::closed) {
             return &grammar_.at(found);
         }
+        if (is_replaced(name)) { return nullptr; }
         std::vector<std::string_view> candidates;
         for (const RuleId node : grammar_.at(grammar_.nodes).rules) {
             if (grammar_.at(node).open == ElementRule::Open::closed) {
@@ -300,6 +301,7 @@ private:
             structural("not-run", where, shown(name) + " is not run by this version");
             return {};
         }
+        if (parent.group == grammar_.nodes && is_replaced(name)) { return {}; }
         const RuleId elsewhere = grammar_.find(name);
         if (!elsewhere) {
             report_unknown(name, where, parent);
@@ -312,9 +314,10 @@ private:
         return elsewhere;
     }
 
-    bool is_later(std::string_view name) const {
-        return std::find(grammar_.later.begin(), grammar_.later.end(), name) !=
-               grammar_.later.end();
+    bool is_later(std::string_view name) const { return has(grammar_.later, name); }
+    bool is_replaced(std::string_view name) const { return has(grammar_.replaced, name); }
+    static bool has(const std::vector<std::string>& names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
     }
 
     void report_unknown(std::string_view name, Where where, const ElementRule& parent) {

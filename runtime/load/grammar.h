@@ -68,7 +68,8 @@ struct Grammar {
     std::uint32_t node_attributes = 0;  ///< how many attributes all nodes have
     std::vector<ElementRule> rules;
     std::vector<Group> groups;
-    std::vector<std::string> later;  ///< elements that this version does not run
+    std::vector<std::string> later;     ///< elements that this version does not run
+    std::vector<std::string> replaced;  ///< nodes that another always replaces: not looked at
 
     const ElementRule& at(RuleId rule) const { return rules[rule.index]; }
     const Group& at(GroupId group) const { return groups[group.index]; }

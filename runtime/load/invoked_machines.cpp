@@ -82,6 +82,7 @@ void InvokedMachines::compile() {
         const Machine machine = machines_[i];
         Builder builder(outermost_.registry(), outermost_.grammar(), outermost_.diagnostics(),
                         outermost_.options());
+        builder.substitutions = outermost_.substitutions;
         MachineCompiler(builder, *machine.file, machine.root, *this).machine();
         builder.name_enumerators();
         if (builder.program.host != nullptr) { outermost_.program.host = builder.program.host; }

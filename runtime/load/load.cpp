@@ -40,6 +40,16 @@ void give(Builder& builder) {
     }
 }
 
+void check_and_compile(ReadFile file, Builder& builder) {
+    if (kind_of(file.document) == FileKind::machine) {
+        check(file.document, machine_grammar(), builder.diagnostics());
+        compile_machine(std::move(file), builder);
+    } else {
+        check(file.document, builder.grammar(), builder.diagnostics());
+        compile_tree(std::move(file), builder);
+    }
+}
+
 void warn_of_unused(const Substitutions& rules, Diagnostics& diagnostics) {
     for (const SubstitutionRule& rule : rules.rules) {
         if (rule.used) { continue; }
@@ -90,20 +100,23 @@ std::optional<Program> load(Source source, const Registry& registry, Diagnostics
     std::string file = source.name;
     if (std::optional<Document> document = read(std::move(source), diagnostics, options);
         document) {
-        const Grammar trees = tree_grammar(registry);
+        Grammar trees = tree_grammar(registry);
         Builder builder(registry, trees, diagnostics, options);
         std::optional<Substitutions> rules;
         if (options.substitutions != nullptr) {
+            const std::size_t before = diagnostics.errors();
             rules = read_substitutions(*options.substitutions, trees, diagnostics, options);
+            if (diagnostics.errors() != before) {
+                // what stands in the tree is not known without all of its rules
+                diagnostics.sort();
+                return {};
+            }
+            for (const SubstitutionRule& rule : rules->rules) {
+                trees.replaced.push_back(rule.pattern);
+            }
             builder.substitutions = &*rules;
         }
-        if (kind_of(*document) == FileKind::machine) {
-            check(*document, machine_grammar(), diagnostics);
-            compile_machine({std::move(file), std::move(*document)}, builder);
-        } else {
-            check(*document, trees, diagnostics);
-            compile_tree({std::move(file), std::move(*document)}, builder);
-        }
+        check_and_compile({std::move(file), std::move(*document)}, builder);
         if (rules) { warn_of_unused(*rules, diagnostics); }
         give(builder);
         builder.name_enumerators();

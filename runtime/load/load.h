@@ -44,7 +44,8 @@ struct LoadOptions {
     /// Rules that put other nodes in the place of some, to test a tree without its robot; null:
     /// none. JSON as BehaviorTree.CPP loads it: {"TestNodeConfigs": {NAME: {…}},
     /// "SubstitutionRules": {PATTERN: NAME}}. A pattern is the name or the type of a node, or its
-    /// path with * and ?; the first that matches counts. The text is needed during load() only.
+    /// path with * and ?; the first that matches counts. A type that a rule names need not be
+    /// known. The text is needed during load() only.
     const Source* substitutions = nullptr;
     DocumentLimits limits = {};
     std::uint32_t rows = 4'000'000;  ///< of a program, with all subtrees expanded

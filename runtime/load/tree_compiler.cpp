@@ -70,6 +70,7 @@ void TreeCompiler::check_unreached() {
         if (reached_.contains(source.id)) { continue; }
         Builder scratch(builder_.registry(), builder_.grammar(), builder_.diagnostics(),
                         builder_.options());
+        scratch.substitutions = builder_.substitutions;
         TreeCompiler compiler(scratch, files_);
         compiler.tree(source, {});
         for (const std::string_view id : compiler.reached_) {

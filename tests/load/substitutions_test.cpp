@@ -112,6 +112,38 @@ TEST_CASE("substitutions: a test answers after its delay, and runs its scripts")
     CHECK(run.state.slots.at(0) == Value::integer(9));
 }
 
+TEST_CASE("substitutions: a type that a rule names need not be known, in either form") {
+    const std::string tree = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
+        <BehaviorTree ID="Main"><RecoveryNode retries="6">
+          <Control ID="RoundRobin" wrap="true"><Leaf id="a" script="F"/></Control>
+          <Spin distance="1.57" _skipIf="false"/>
+        </RecoveryNode></BehaviorTree>
+        <BehaviorTree ID="Unused"><Spin/></BehaviorTree></root>)";
+    const std::string all = R"("RecoveryNode": "Fallback", "RoundRobin": "Sequence", )";
+    CHECK(nodes(with_rules(rules(all + R"("Spin": "still")", R"("still": {})"), tree)) ==
+          "fallback sequence Leaf test");
+    const Loaded one_less = with_rules(rules(all + R"("Fallback": "Sequence")"), tree);
+    CHECK(messages(one_less) == "unknown-node: unknown node \"Spin\"\n"
+                                "unknown-node: unknown node \"Spin\"\n"
+                                "substitution: no node is replaced by the rule for "
+                                "\"Fallback\"\n");
+}
+
+TEST_CASE("substitutions: trees that do not run are replaced in too") {
+    const std::string unused = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
+        <BehaviorTree ID="Main"><Leaf id="a" script="S"/></BehaviorTree>
+        <BehaviorTree ID="Unused"><Leaf id="b" script="S" name="other"/></BehaviorTree></root>)";
+    CHECK(messages(with_rules(rules(R"("other": "AlwaysSuccess")"), unused)) == "");
+}
+
+TEST_CASE("substitutions: with a fault in the rules nothing is said about the tree") {
+    const std::string tree = R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+        <Spin/></BehaviorTree></root>)";
+    CHECK(messages(with_rules(rules(R"("Spin": "AlwaysSucces")"), tree)) ==
+          "unknown-node: there is neither a test nor a node \"AlwaysSucces\"; did you mean "
+          "\"AlwaysSuccess\"?\n");
+}
+
 TEST_CASE("substitutions: messages") {
     CHECK(messages(with_rules(rules(R"("first": "AlwaysSucess")"))) ==
           "unknown-node: there is neither a test nor a node \"AlwaysSucess\"; did you mean "

@@ -62,7 +62,14 @@ TEST_CASE("declarations: a file knows what it declares itself, and the next does
     CHECK(json[0]["ok"] == true);
     CHECK(json[0]["declared"] == nlohmann::json::parse(R"(["GoalReached"])"));
     CHECK(json[1]["ok"] == false);
-    CHECK(run_words(files, {"run", "a.xml"}).exit == Exit::no);
+    const Ran refused = run_words(files, {"run", "a.xml"});
+    CHECK(refused.exit == Exit::no);
+    CHECK(refused.err == "a.xml:2:26: error: GoalReached is only declared: it does not run here; "
+                         "a rule of --mock can put another node in its place [only-declared]\n"
+                         "<BehaviorTree ID=\"Main\"><GoalReached/></BehaviorTree>  "
+                         "<TreeNodesModel>\n"
+                         "                         ^\n"
+                         "1 error\n");
     CHECK(run_words(files, {"try", "a.xml"}, "tick\n").out == "tick 1  FAILURE  GoalReached "
                                                               "FAILURE\n");
 }
