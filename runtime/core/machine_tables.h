@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/ids.h"
+#include "core/value.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -185,6 +186,25 @@ struct InvokeInfo {
     bool autoforward = false;
 
     friend bool operator==(const InvokeInfo&, const InvokeInfo&) = default;
+};
+
+/// One <Machine>, a machine as a node of a tree. Row::arg of run_machine indexes
+/// Program::machine_nodes.
+struct MachineNode {
+    MachineId machine = {};
+    std::uint32_t first_param = 0, param_count = 0;  ///< Program::machine_params
+
+    friend bool operator==(const MachineNode&, const MachineNode&) = default;
+};
+
+/// A variable of that machine that its node gives a value.
+struct MachineParam {
+    std::string name;
+    SlotId variable;  ///< of the machine
+    SlotId entry;     ///< of the tree, shared while the node runs; none: it begins with `value`
+    Value value = {};
+
+    friend bool operator==(const MachineParam&, const MachineParam&) = default;
 };
 
 /// A machine that the text `source` of a srcexpr or a <content expr> stands for.

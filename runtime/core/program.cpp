@@ -75,6 +75,7 @@ private:
         field("end", r.end);
         field("arg", r.arg);
         out_ += r.conditional ? " conditional\n" : "\n";
+        if (r.op == Op::run_machine) { machine_node(p_.machine_nodes[r.arg]); }
         const OpGroup group = op_table()[r.op].group;
         if (group == OpGroup::state) { state(p_.state(n)); }
         if (group == OpGroup::activity) { invoke(p_.invokes[r.arg]); }
@@ -120,6 +121,16 @@ private:
         payload(i.payload);
         field("finalize", i.finalize);
         out_ += i.autoforward ? " autoforward\n" : "\n";
+    }
+
+    void machine_node(const MachineNode& node) {
+        field("    machine", node.machine);
+        for (std::uint32_t i = 0; i < node.param_count; ++i) {
+            const MachineParam& param = p_.machine_params[node.first_param + i];
+            out_ += ' ' + param.name + (param.entry ? "" : " = " + trellis::print(param.value));
+            field("<-> slot", param.entry);
+        }
+        out_ += '\n';
     }
 
     void place(const Place& p) {
@@ -308,7 +319,8 @@ bool operator==(const Program& a, const Program& b) {
            a.has_eventless == b.has_eventless && a.host == b.host && a.histories == b.histories &&
            a.has_messages == b.has_messages && a.payloads == b.payloads &&
            a.payload_items == b.payload_items && a.sends == b.sends && a.loops == b.loops &&
-           a.parameters == b.parameters && a.session_slot == b.session_slot &&
+           a.parameters == b.parameters && a.machine_nodes == b.machine_nodes &&
+           a.machine_params == b.machine_params && a.session_slot == b.session_slot &&
            a.processors_slot == b.processors_slot && a.machines == b.machines &&
            a.sources == b.sources;
 }

@@ -237,6 +237,8 @@ struct Program {
     std::vector<std::string> labels;
     std::vector<InvokeInfo> invokes;
     std::vector<InvokeParam> params;
+    std::vector<MachineNode> machine_nodes;
+    std::vector<MachineParam> machine_params;
     std::vector<History> histories;
     std::vector<Payload> payloads;
     std::vector<PayloadItem> payload_items;

@@ -192,6 +192,10 @@ bool is_state(const Program& program, RowId n) {
     return n.index < program.rows.size() && op_table()[program.at(n).op].group == OpGroup::state;
 }
 
+bool runs_machines(Op op) {
+    return op == Op::invoke || op == Op::run_machine;
+}
+
 /// Whether the active states are a legal configuration (SCXML 3.13): with each state the one around
 /// it, one child of a compound state, all of a parallel one.
 bool is_configuration(const Program& program, const State& state) {
@@ -319,7 +323,7 @@ bool read(ByteReader& in, const Program& outermost, const Program& program, Stat
         get(in, child.machine);
         if (!in.ok() || child.machine.index >= outermost.machines.size() ||
             child.invoke.index >= program.rows.size() ||
-            program.at(child.invoke).op != Op::invoke) {
+            !runs_machines(program.at(child.invoke).op)) {
             return false;
         }
         const Program& machine = program_of(outermost, child);

@@ -69,15 +69,7 @@ bool Stepper::start_machine_of(RowId n, const InvokeInfo& info) {
     const std::optional<MachineId> machine = machine_of(info);
     Event given;
     if (!machine || !carry(info.payload, given)) { return false; }
-    std::uint32_t depth = 1;
-    for (const Stepper* around = parent_; around != nullptr; around = around->parent_) {
-        ++depth;
-    }
-    if (depth == max_session_depth) {
-        fault(Fault::Kind::budget, n,
-              "machines invoke each other " + std::to_string(max_session_depth) + " deep");
-        return false;
-    }
+    if (!may_nest(n)) { return false; }
     add_child(n, *machine, given.data);
     const std::size_t child = child_of(n);
     in_child(child, [](Stepper& session) {
@@ -86,6 +78,17 @@ bool Stepper::start_machine_of(RowId n, const InvokeInfo& info) {
     });
     if (!s_.children[child].state.session.final) { return true; }
     s_.children.erase(s_.children.begin() + static_cast<std::ptrdiff_t>(child));
+    return false;
+}
+
+bool Stepper::may_nest(RowId n) {
+    std::uint32_t depth = 1;
+    for (const Stepper* around = parent_; around != nullptr; around = around->parent_) {
+        ++depth;
+    }
+    if (depth != max_session_depth) { return true; }
+    fault(Fault::Kind::budget, n,
+          "machines invoke each other " + std::to_string(max_session_depth) + " deep");
     return false;
 }
 
@@ -141,6 +144,11 @@ void Stepper::add_child(RowId n, MachineId machine, const Value& data) {
 // Lets every invoked machine come to rest. True if some of them, or this one, has events again.
 bool Stepper::run_children() {
     for (std::size_t i = 0; i < s_.children.size() && !s_.fault;) {
+        // a <Machine> runs when its tree is ticked
+        if (invoke_of(s_.children[i]) == nullptr) {
+            ++i;
+            continue;
+        }
         in_child(i, [](Stepper& child) {
             child.come_to_rest();
             child.end_session();
@@ -154,14 +162,16 @@ bool Stepper::run_children() {
             ++i;
         }
     }
-    return has_waiting(s_);
+    return has_waiting(p_, s_);
 }
 
 // Whether a session here has events that it has not taken.
-bool Stepper::has_waiting(const State& state) {
+bool Stepper::has_waiting(const Program& program, const State& state) const {
     return !state.session.external.empty() ||
-           std::any_of(state.children.begin(), state.children.end(),
-                       [](const Child& child) { return has_waiting(child.state); });
+           std::any_of(state.children.begin(), state.children.end(), [&](const Child& child) {
+               return program.at(child.invoke).op == Op::invoke &&
+                      has_waiting(program_of(outermost_.p_, child), child.state);
+           });
 }
 
 // The end of an invoked machine that has reached it: done.invoke.ID is the last that its invoker

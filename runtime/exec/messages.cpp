@@ -189,7 +189,8 @@ bool Stepper::deliver(std::string_view target, Event event) {
     } else if (!target.empty()) {
         to = {};
         for (Child& child : s_.children) {
-            if (p_.invokes[rows_[child.invoke.index].arg].id != target.substr(2)) { continue; }
+            const InvokeInfo* const invoke = invoke_of(child);
+            if (invoke == nullptr || invoke->id != target.substr(2)) { continue; }
             if (!child.state.session.final) {
                 to = {&program_of(outermost_.p_, child), &child.state};
             }
@@ -203,7 +204,8 @@ bool Stepper::deliver(std::string_view target, Event event) {
 }
 
 bool Stepper::deliver_to_parent(Event event) {
-    if (parent_ == nullptr) { return false; }
+    // a <Machine> of a tree has nobody to send to
+    if (parent_ == nullptr || parent_->rows_[invoked_by_.index].op != Op::invoke) { return false; }
     event.invoke = invoked_by_;
     event.activation = parent_->memory_[invoked_by_.index];
     if (!hand_over(p_, std::move(event), {&parent_->p_, &parent_->s_})) {
@@ -216,7 +218,8 @@ bool Stepper::deliver_to_parent(Event event) {
 // no message: each machine has its own.
 void Stepper::forward(const Event& event) {
     for (Child& child : s_.children) {
-        if (!p_.invokes[rows_[child.invoke.index].arg].autoforward) { continue; }
+        const InvokeInfo* const invoke = invoke_of(child);
+        if (invoke == nullptr || !invoke->autoforward) { continue; }
         Event copy = event;
         if (event.invoke) { copy.invokeid.set_text(p_.invokes[rows_[event.invoke.index].arg].id); }
         copy.invoke = {};

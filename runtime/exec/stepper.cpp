@@ -230,6 +230,12 @@ void Stepper::halt_node(RowId n) {
             trace({.kind = TraceEvent::Kind::halt, .row = n});
         }
         break;
+    case Op::run_machine:
+        if (status_[n.index] == Status::running) {
+            trace({.kind = TraceEvent::Kind::halt, .row = n});
+            end_machine_node(n);
+        }
+        break;
     case Op::machine: leave_all(); break;
     case Op::always_success:
     case Op::always_failure:

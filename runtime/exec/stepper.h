@@ -1,8 +1,8 @@
 // The interpreter behind step(): one call's view of a program and the state it may change. Private
-// to runtime/exec. The rules are spread over tree_rules.cpp, tree_controls.cpp, tree_decorators.cpp
-// and tree_leaves.cpp (trees); machine_rules.cpp, configuration.cpp, content.cpp, messages.cpp and
-// activities.cpp (machines); leaves.cpp (leaves) and stepper.cpp (what all share). A machine that
-// another one invokes has a Stepper of its own.
+// to runtime/exec. The rules are spread over tree_rules.cpp, tree_controls.cpp,
+// tree_decorators.cpp, tree_leaves.cpp and tree_machines.cpp (trees); machine_rules.cpp,
+// configuration.cpp, content.cpp, messages.cpp and activities.cpp (machines); leaves.cpp (leaves)
+// and stepper.cpp (what all share). A machine that another one invokes has a Stepper of its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -201,6 +201,20 @@ private:
     Status tick_test(RowId n, const Row& row);
     Status finish_test(RowId n, const TestInfo& test);
 
+    // Machines as nodes: tree_machines.cpp -------------------------------------------------------
+
+    Status tick_run_machine(RowId n, const Row& row);
+    void start_machine_node(RowId n, const MachineNode& node);
+    void share_entries(const MachineNode& node, State& machine);
+    bool take_entries(RowId n, const MachineNode& node, State& machine);
+    void end_machine_node(RowId n);
+    Status status_from(const Value& data, Status otherwise);
+    /// What the program says of the <invoke> that runs a machine; null if a <Machine> does.
+    const InvokeInfo* invoke_of(const Child& child) const {
+        const Row& row = rows_[child.invoke.index];
+        return row.op == Op::invoke ? &p_.invokes[row.arg] : nullptr;
+    }
+
     // Leaves: leaves.cpp -------------------------------------------------------------------------
 
     /// A leaf that may take many ticks. One that has completed and was not reset repeats its result
@@ -356,6 +370,7 @@ private:
     void start_invokes();
     void start_invoke(RowId n);
     bool start_machine_of(RowId n, const InvokeInfo& info);
+    bool may_nest(RowId n);
     std::optional<MachineId> machine_of(const InvokeInfo& info);
     void add_child(RowId n, MachineId machine, const Value& data);
     /// Runs `run` on an invoked machine: it uses up this one's budget.
@@ -368,7 +383,7 @@ private:
     }
     void adopt_fault(const Stepper& child);
     bool run_children();
-    static bool has_waiting(const State& state);
+    bool has_waiting(const Program& program, const State& state) const;
     void end_session();
     void stop_invokes(RowId n);
     void tick_invokes();

@@ -50,6 +50,7 @@ Status Stepper::dispatch(RowId n, const Row& row) {
     case Op::sleep: return tick_sleep(n, row);
     case Op::was_entry_updated:
         return ticked(n, was_written(p_.nodes[row.arg]) ? success : failure);
+    case Op::run_machine: return tick_run_machine(n, row);
     case Op::test: return tick_test(n, row);
     case Op::script: return tick_script(n, row);
     case Op::script_condition: return tick_script_condition(n, row);

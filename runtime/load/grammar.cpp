@@ -160,8 +160,10 @@ void add_built_in_nodes(GrammarBuilder& builder) {
         const bool is_node = info.group == OpGroup::control || info.group == OpGroup::decorator ||
                              info.group == OpGroup::action || info.group == OpGroup::condition;
         if (!is_node || info.element.empty()) { continue; }
+        using Open = ElementRule::Open;
         builder.node(info.element, info.element, info.most_children == 0 ? "no_group" : "node",
-                     info.least_children, info.most_children, ElementRule::Open::closed, info.doc);
+                     info.least_children, info.most_children,
+                     info.op == Op::run_machine ? Open::parameters : Open::closed, info.doc);
 #define PORT(of, name, type, must_give, initial, doc)                                              \
     if (info.op == Op::of) {                                                                       \
         const Presence presence = (must_give) ? Presence::required : Presence::optional;           \

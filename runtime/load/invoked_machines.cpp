@@ -75,6 +75,36 @@ MachineId InvokedMachines::source(std::string_view text, const ReadFile& from) {
     return file(text, from, {});
 }
 
+std::vector<std::string_view> InvokedMachines::variables(MachineId machine) const {
+    const Document& document = machines_[machine.index].file->document;
+    std::vector<std::string_view> names;
+    for (const ElementId model : document.children(machines_[machine.index].root)) {
+        if (document.name(model) != "datamodel") { continue; }
+        for (const ElementId data : document.children(model)) {
+            names.push_back(document.value(data, "id"));
+        }
+    }
+    return names;
+}
+
+namespace {
+
+/// Now that all machines are compiled, the variables that nodes give values to have numbers.
+void resolve_params(Program& program, const std::vector<Program>& machines) {
+    for (const MachineNode& node : program.machine_nodes) {
+        if (!node.machine) { continue; }  // reported before
+        const Program& machine = machines[node.machine.index];
+        for (std::uint32_t i = 0; i < node.param_count; ++i) {
+            MachineParam& param = program.machine_params[node.first_param + i];
+            for (const SlotId variable : machine.parameters) {
+                if (machine.slots[variable.index].name == param.name) { param.variable = variable; }
+            }
+        }
+    }
+}
+
+}  // namespace
+
 // A machine may invoke others, which are added behind it.
 void InvokedMachines::compile() {
     std::vector<Program> programs;
@@ -87,6 +117,10 @@ void InvokedMachines::compile() {
         builder.name_enumerators();
         if (builder.program.host != nullptr) { outermost_.program.host = builder.program.host; }
         programs.push_back(std::move(builder.program));
+    }
+    resolve_params(outermost_.program, programs);
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        resolve_params(programs[i], programs);
     }
     outermost_.program.machines = std::move(programs);
 }

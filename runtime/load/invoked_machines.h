@@ -1,6 +1,6 @@
-// The machines that a machine file invokes: files that `src` names, machines that <content> spells,
-// those that a srcexpr may name, and what these invoke. Each is compiled once. Private to
-// runtime/load. Covered by tests/load/compile_machine_test.cpp.
+// The machines that a file runs inside: what <Machine> nodes name, files that `src` names, machines
+// that <content> spells, those that a srcexpr may name, and what these invoke. Each is compiled
+// once. Private to runtime/load. Covered by tests/load/compile_machine_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,6 +27,9 @@ public:
     /// The machine that `text` may stand for when a document computes its source: the path of a
     /// machine file, or a machine itself. None, without an error, if it is neither.
     MachineId source(std::string_view text, const ReadFile& from);
+
+    /// The names of the variables that whoever invokes a machine may set: its top-level <data>.
+    std::vector<std::string_view> variables(MachineId machine) const;
 
     /// Compiles all of them into Program::machines of the outermost program.
     void compile();

@@ -102,7 +102,7 @@ void MachineCompiler::tree_row(const Attribute& source, RowId invoke) {
     std::optional<Document> tree = read(*text, diagnostics, builder_.options());
     if (!tree) { return; }
     check(*tree, builder_.grammar(), diagnostics);
-    InvokedTree& invoked = trees_.emplace_back(builder_, invoke);
+    InvokedTree& invoked = trees_.emplace_back(builder_, invoke, machines_);
     invoked.files.add({std::move(text->name), std::move(*tree)});
     if (const TreeSource* main = invoked.files.main_tree({}); main != nullptr) {
         invoked.compiler.tree(*main, invoke);

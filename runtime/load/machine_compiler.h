@@ -127,8 +127,8 @@ private:
         RowId invoke;
         TreeFiles files;
         TreeCompiler compiler;
-        explicit InvokedTree(Builder& builder, RowId n)
-            : invoke(n), files(builder), compiler(builder, files) {}
+        InvokedTree(Builder& builder, RowId n, InvokedMachines& machines)
+            : invoke(n), files(builder), compiler(builder, files, machines) {}
     };
 
     Builder& builder_;

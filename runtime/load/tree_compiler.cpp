@@ -30,8 +30,8 @@ PortType literal_type(const Value& value) {
 
 }  // namespace
 
-TreeCompiler::TreeCompiler(Builder& builder, TreeFiles& files)
-    : builder_(builder), files_(files), scopes_(builder) {
+TreeCompiler::TreeCompiler(Builder& builder, TreeFiles& files, InvokedMachines& machines)
+    : builder_(builder), files_(files), machines_(machines), scopes_(builder) {
     for (const OpInfo& op : op_table()) {
         const bool node = op.group == OpGroup::control || op.group == OpGroup::decorator ||
                           op.group == OpGroup::action || op.group == OpGroup::condition;
@@ -71,7 +71,7 @@ void TreeCompiler::check_unreached() {
         Builder scratch(builder_.registry(), builder_.grammar(), builder_.diagnostics(),
                         builder_.options());
         scratch.substitutions = builder_.substitutions;
-        TreeCompiler compiler(scratch, files_);
+        TreeCompiler compiler(scratch, files_, machines_);
         compiler.tree(source, {});
         for (const std::string_view id : compiler.reached_) {
             reached_.insert(id);
@@ -275,12 +275,14 @@ void compile_tree(ReadFile file, Builder& builder) {
     builder.reserve(file.document.elements.size());
     TreeFiles files(builder);
     files.add(std::move(file));
-    TreeCompiler compiler(builder, files);
+    InvokedMachines machines(builder);
+    TreeCompiler compiler(builder, files, machines);
     if (const TreeSource* main = files.main_tree(builder.options().main_tree); main != nullptr) {
         compiler.tree(*main, {});
         compiler.finish();
     }
     compiler.check_unreached();
+    machines.compile();
 }
 
 }  // namespace trellis

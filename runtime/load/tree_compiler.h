@@ -1,11 +1,13 @@
 // Compiles trees: nodes to rows, attributes to ports, names to variables (TREES §2). The built-in
-// nodes and their ports are in tree_nodes.cpp, replaced nodes in tree_tests.cpp. Private to
+// nodes and their ports are in tree_nodes.cpp, machines in tree_machines.cpp, replaced nodes in
+// tree_tests.cpp. Private to
 // runtime/load; the entrance is compile.h. Covered by tests/load/compile_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include "core/program.h"
 #include "load/builder.h"
+#include "load/invoked_machines.h"
 #include "load/scopes.h"
 #include "load/tree_files.h"
 
@@ -22,7 +24,7 @@ struct TestConfig;
 
 class TreeCompiler {
 public:
-    TreeCompiler(Builder& builder, TreeFiles& files);
+    TreeCompiler(Builder& builder, TreeFiles& files, InvokedMachines& machines);
 
     /// Compiles `tree` as a whole tree below row `parent` (none: as row 0).
     RowId tree(const TreeSource& tree, RowId parent);
@@ -64,6 +66,10 @@ private:
     CodeId script(const Place& place, const Attribute& attribute);
     CodeId compiled(const Place& place, const Builder::Text& script);
 
+    // machines as nodes: tree_machines.cpp
+    std::uint32_t machine(const Place& place);
+    MachineParam machine_param(const Place& place, MachineId machine, const Attribute& attribute);
+
     // substitution rules: tree_tests.cpp
     std::string path_of(const Place& place, std::string_view type) const;
     SubstitutionRule* rule_for(const Place& place);
@@ -80,6 +86,7 @@ private:
 
     Builder& builder_;
     TreeFiles& files_;
+    InvokedMachines& machines_;
     Scopes scopes_;
     std::unordered_map<std::string_view, Op> built_ins_;
     std::unordered_map<std::string_view, const LeafType*> leaves_;

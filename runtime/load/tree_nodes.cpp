@@ -160,6 +160,7 @@ void TreeCompiler::built_in(const Place& place, const OpInfo& op) {
 
 // What a row of this kind has in Row::arg.
 std::uint32_t TreeCompiler::node_arg(const Place& place, Op op) {
+    if (op == Op::run_machine) { return machine(place); }
     const bool has_ports = std::any_of(std::begin(built_in_ports), std::end(built_in_ports),
                                        [&](const BuiltInPort& port) { return port.op == op; });
     if (!has_ports) { return 0; }

@@ -91,7 +91,7 @@ TEST_CASE("mock rules: validating reads the rules and what is left that does not
                                   "[only-declared]\n"));
 }
 
-TEST_CASE("mock rules: faults in the rules have a place, and end with 1; no such file with 3") {
+TEST_CASE("mock rules: faults in the rules have a place and end with 1, no such file with 3") {
     MemoryFiles files = nav_files();
     std::string& text = files.content["rules.json"];
     text.replace(text.find("FAILURE"), 7, "FAILED");

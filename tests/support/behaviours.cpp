@@ -9,15 +9,32 @@
 #include <doctest/doctest.h>
 
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace trellis::test {
+
+namespace {
+
+/// What a behaviour refers to, by paths as program_of() takes them.
+class BehaviourFiles final : public SourceReader {
+public:
+    std::optional<Source> read(std::string_view path, std::string_view from,
+                               std::string_view) override {
+        const std::filesystem::path file =
+            (std::filesystem::path(from).parent_path() / path).lexically_normal();
+        return Source{.name = file.generic_string(), .text = read_file(TRELLIS_SOURCE_DIR / file)};
+    }
+};
+
+}  // namespace
 
 Program program_of(const std::filesystem::path& file, const Registry& registry) {
     const Source source{.name = file.generic_string(),
                         .text = read_file(TRELLIS_SOURCE_DIR / file)};
     Diagnostics diagnostics;
-    std::optional<Program> program = load(source, registry, diagnostics);
+    BehaviourFiles files;
+    std::optional<Program> program = load(source, registry, diagnostics, {.reader = &files});
     REQUIRE_MESSAGE(diagnostics.all().empty(), diagnostics.render());
     return std::move(program).value();
 }
