@@ -26,12 +26,13 @@ Status Stepper::tick_set_blackboard(RowId n, const Row& row) {
     const SlotId to = named_entry(n, node, port(node, 1));
     if (!to) { return Status::idle; }
     EntryType& type = s_.entries[to.index];
-    const bool literal = is_literal(from);
+    const Value* value = port_value(from);
     if (type == EntryType::missing) {
         const Operand source = p_.code.instructions[from.index].a;
-        type = literal ? EntryType::text : s_.entries[source.index()];
+        type = !is_literal(from)              ? s_.entries[source.index()]
+               : value->is(Value::Kind::text) ? EntryType::text
+                                              : EntryType::any;
     }
-    const Value* value = port_value(from);
     if (value == nullptr) { return ticked(n, Status::failure); }
     if (!copy_entry(n, to, *value)) { return Status::idle; }
     count_write(to);

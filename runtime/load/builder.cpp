@@ -78,7 +78,8 @@ void Builder::set_initial(SlotId slot, Value value) {
     Slot& variable = program.slots[slot.index];
     variable.type = value.is(Value::Kind::integer) ? EntryType::integer
                     : value.is(Value::Kind::real)  ? EntryType::real
-                                                   : EntryType::text;
+                    : value.is(Value::Kind::text)  ? EntryType::text
+                                                   : EntryType::any;
     variable.initial = std::move(value);
 }
 

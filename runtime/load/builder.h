@@ -76,6 +76,8 @@ public:
     static Text text_of(const ReadFile& file, ElementId e) {
         return {&file, file.document.text(e), file.document.at(e).text_where};
     }
+    /// Where a byte of it stands in its file.
+    Where place_in(const Text& text, std::size_t offset) const;
     /// Where the name first stands in it as a word; its beginning if it does not.
     Where place_of(const Text& text, std::string_view name) const;
 
@@ -108,7 +110,6 @@ private:
     std::uint32_t next_row() const { return static_cast<std::uint32_t>(program.rows.size()); }
     std::uint32_t port_index(const Port& port) const;
     CodeId add_copy(Operand operand, Dialect dialect);
-    Where place_in(const Text& text, std::size_t offset) const;
     const std::int64_t* enumerator(std::string_view name) const;
     std::uint32_t name_index(std::string_view name);
     bool write_literal(const Port& port, Value& value);

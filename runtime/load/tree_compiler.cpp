@@ -5,6 +5,7 @@
 #include "core/ports.h"
 #include "load/attribute_rule.h"
 #include "load/compile.h"
+#include "load/json_literal.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,6 +25,7 @@ bool is_explicit(std::string_view element) {
 PortType literal_type(const Value& value) {
     if (value.is(Value::Kind::text)) { return PortType::text; }
     if (value.is(Value::Kind::real)) { return PortType::real; }
+    if (!value.is(Value::Kind::integer)) { return PortType::any; }
     const std::int64_t number = value.as_integer();
     return number == static_cast<std::int32_t>(number) ? PortType::int32 : PortType::int64;
 }
@@ -136,7 +138,12 @@ void TreeCompiler::leaf(const Place& place, const LeafType& type) {
 void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribute& attribute) {
     const std::string_view value = document(place).string(attribute.value);
     if (!is_pointer(value)) {
-        if (port.direction == PortDirection::input) { builder_.set_literal(port, value); }
+        const bool json = port.type == PortType::any && is_json_literal(value);
+        if (port.direction == PortDirection::input && json) {
+            builder_.set_literal(port, json_literal(builder_, text_of(place, attribute)));
+        } else if (port.direction == PortDirection::input) {
+            builder_.set_literal(port, value);
+        }
         return;
     }
     const SlotId slot = scopes_.variable(place.scope, pointer_key(value, port.name));
@@ -238,7 +245,12 @@ void TreeCompiler::parameters(const Place& place, ScopeId inside,
     for (const Attribute& attribute : doc.attributes_of(place.element)) {
         const std::string_view name = doc.string(attribute.name);
         if (name == "ID" || name == "name" || name.starts_with('_')) { continue; }
-        parameter(inside, name, doc.string(attribute.value));
+        const std::string_view value = doc.string(attribute.value);
+        if (is_json_literal(value)) {
+            local(inside, name, json_literal(builder_, text_of(place, attribute)));
+        } else {
+            parameter(inside, name, value);
+        }
     }
     // with _autoremap what is not given is shared, even if it has a default
     if (model != nullptr && !remaps_all) {
@@ -263,8 +275,12 @@ void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_
         scopes_.remap(inside, name, pointer_key(value, name));
         return;
     }
+    local(inside, name, literal_value(value));
+}
+
+void TreeCompiler::local(ScopeId inside, std::string_view name, Value value) {
     const SlotId slot = scopes_.local(inside, name);
-    builder_.set_initial(slot, literal_value(value));
+    builder_.set_initial(slot, std::move(value));
     scopes_.bind_type(slot, literal_type(builder_.program.slots[slot.index].initial));
     scopes_.written(slot);
 }

@@ -49,6 +49,7 @@ private:
     void subtree(const Place& place);
     void parameters(const Place& place, ScopeId inside, const std::vector<SubtreePort>* model);
     void parameter(ScopeId inside, std::string_view name, std::string_view value);
+    void local(ScopeId inside, std::string_view name, Value value);
     bool is_recursive(std::string_view id, Where where);
     void children_of(const Place& place, RowId n);
 
@@ -81,6 +82,9 @@ private:
     void conditions(const Place& place, RowId n);
 
     const Document& document(const Place& place) const { return place.file->document; }
+    static Builder::Text text_of(const Place& place, const Attribute& attribute) {
+        return Builder::text_of(*place.file, attribute);
+    }
     std::string_view kind(const Place& place) const;
     std::string_view instance_name(const Place& place) const;
 

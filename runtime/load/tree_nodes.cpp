@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/ports.h"
 #include "load/attribute_rule.h"
+#include "load/json_literal.h"
 #include "load/text.h"
 #include "load/tree_compiler.h"
 
@@ -225,6 +226,9 @@ CodeId TreeCompiler::port_code(const Place& place, Op op, std::string_view name,
         return builder_.variable(slot, Dialect::tree);
     }
     if (name == "queue") { return queue(attribute, value, op); }
+    if (op == Op::set_blackboard && name == "value" && is_json_literal(value)) {
+        return builder_.constant(json_literal(builder_, text_of(place, attribute)), Dialect::tree);
+    }
     if (type == "text" || type == "any") {
         return builder_.constant(Value::text(value), Dialect::tree);
     }
@@ -232,7 +236,7 @@ CodeId TreeCompiler::port_code(const Place& place, Op op, std::string_view name,
 }
 
 CodeId TreeCompiler::script(const Place& place, const Attribute& attribute) {
-    return compiled(place, Builder::text_of(*place.file, attribute));
+    return compiled(place, text_of(place, attribute));
 }
 
 CodeId TreeCompiler::compiled(const Place& place, const Builder::Text& script) {
