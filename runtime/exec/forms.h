@@ -45,7 +45,7 @@ inline Answer answer(const FormView& view, const Condition& condition) {
 
 [[gnu::always_inline]] inline double compute(const FormView& view, const Formula& formula) {
     double value = 0.0;
-    if (formula.source == Formula::Source::elapsed_since) {
+    if (formula.source == Formula::Source::elapsed_since) [[likely]] {
         value = view.elapsed_since(formula.at);
     } else if (formula.source == Formula::Source::elapsed_count) {
         value = view.state.memory[formula.at] * view.dt;

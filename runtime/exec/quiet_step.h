@@ -37,13 +37,14 @@ namespace detail {
 [[gnu::always_inline]] inline QuietStep quiet_cycle(const Program& program, State& state,
                                                     HostRef host, const StepOptions& options) {
     Session& session = state.session;
-    if (options.trace != nullptr || options.dt != state.quiet.dt || !session.external.empty()) {
+    if (options.trace != nullptr || options.dt != state.quiet.dt || !session.external.empty())
+        [[unlikely]] {
         return {};
     }
     const QuietState& quiet = program.quiet_states[state.quiet.id.index];
     const std::uint32_t* const sensors = program.quiet_sensors.data();
     for (std::uint32_t i = quiet.first_sensor; i != quiet.sensor_end; ++i) {
-        if (sensed(host.object, sensors[i])) { return {}; }
+        if (sensed(host.object, sensors[i])) [[unlikely]] { return {}; }
     }
 
     --state.quiet.cycles;

@@ -41,7 +41,7 @@ Status step(const Program& program, State& state, HostRef host, const StepOption
     assert(fits(program, state, host));
     const QuietStep quiet = state.quiet.cycles != 0 ? quiet_cycle(program, state, host, options)
                                                     : quiet_tick(program, state, host, options);
-    if (!quiet.taken || quiet.status != Status::running || state.random.exhausted()) {
+    if (!quiet.taken || quiet.status != Status::running || state.random.exhausted()) [[unlikely]] {
         return whole_step(program, state, host, options, quiet);
     }
     ++state.tick;
