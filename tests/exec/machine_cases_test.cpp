@@ -5,6 +5,7 @@
 #include "load/json_tree.h"
 #include "load/load.h"
 #include "support/configuration.h"
+#include "support/disk.h"
 #include "support/files.h"
 #include "support/loading.h"
 #include "support/script_leaves.h"

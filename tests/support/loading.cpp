@@ -4,10 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 namespace trellis::test {
 
 Program loaded(std::string_view text, const LoadOptions& options, const Registry& registry) {
@@ -38,14 +34,6 @@ std::optional<Source> Texts::read(std::string_view path, std::string_view, std::
     const auto found = texts_.find(path);
     if (found == texts_.end()) { return {}; }
     return Source{found->first, found->second};
-}
-
-std::optional<Source> Disk::read(std::string_view path, std::string_view from, std::string_view) {
-    const std::filesystem::path file =
-        (std::filesystem::path(from).parent_path() / path).lexically_normal();
-    std::ifstream in(file, std::ios::binary);
-    if (!in) { return {}; }
-    return Source{file.string(), std::string(std::istreambuf_iterator<char>(in), {})};
 }
 
 }  // namespace trellis::test

@@ -38,11 +38,4 @@ private:
     std::map<std::string, std::string, std::less<>> texts_;
 };
 
-/// Texts of files on the disk.
-class Disk final : public SourceReader {
-public:
-    std::optional<Source> read(std::string_view path, std::string_view from,
-                               std::string_view package) override;
-};
-
 }  // namespace trellis::test

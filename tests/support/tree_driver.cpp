@@ -3,7 +3,7 @@
 #include "support/tree_driver.h"
 
 #include "load/load.h"
-#include "support/loading.h"
+#include "support/disk.h"
 #include "support/script_leaves.h"
 
 #include <algorithm>
