@@ -27,10 +27,11 @@ const char* const two_trees = R"(<root BTCPP_format="4" main_tree_to_execute="Ma
 </root>
 )";
 
-MemoryFiles recorded(const std::string& name, const std::string& text) {
+MemoryFiles recorded(const std::string& name, const std::string& text,
+                     const std::string& ticks = "5") {
     MemoryFiles files;
     files.content[name] = text;
-    REQUIRE(run_words(files, {"run", name, "--ticks", "5", "--trace", "t.jsonl"}).exit ==
+    REQUIRE(run_words(files, {"run", name, "--ticks", ticks, "--trace", "t.jsonl"}).exit ==
             Exit::yes);
     return files;
 }
@@ -171,7 +172,7 @@ TEST_CASE("trace convert: a tree with more nodes than a .btlog can number") {
     for (int i = 0; i < 65'535; ++i) {
         text += "<Script code=\"\"/>";
     }
-    MemoryFiles files = recorded("a.xml", text + "</Sequence></BehaviorTree></root>");
+    MemoryFiles files = recorded("a.xml", text + "</Sequence></BehaviorTree></root>", "1");
     const Ran ran = run_words(files, {"trace", "convert", "t.jsonl", "t.btlog"});
     CHECK(ran.exit == Exit::no);
     CHECK(ran.err == "trellis: a .btlog numbers at most 65535 nodes, with 16 bits: a.xml has "
