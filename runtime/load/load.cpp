@@ -7,6 +7,7 @@
 #include "load/grammar.h"
 #include "load/json.h"
 #include "load/substitutions.h"
+#include "load/tree_checks.h"
 #include "load/xml.h"
 
 #include <utility>
@@ -120,6 +121,13 @@ std::optional<Program> load(Source source, const Registry& registry, Diagnostics
         if (rules) { warn_of_unused(*rules, diagnostics); }
         give(builder);
         builder.name_enumerators();
+        // rules replace nodes on purpose, and what an error leaves is no whole program
+        if (diagnostics.ok() && !rules) {
+            check_trees(builder.program, diagnostics);
+            for (const Program& machine : builder.program.machines) {
+                check_trees(machine, diagnostics);
+            }
+        }
         program = std::move(builder.program);
     }
     diagnostics.sort();

@@ -6,6 +6,7 @@
 #include "load/attribute_rule.h"
 #include "load/compile.h"
 #include "load/json_literal.h"
+#include "load/tree_checks.h"
 
 #include <algorithm>
 #include <utility>
@@ -75,6 +76,9 @@ void TreeCompiler::check_unreached() {
         scratch.substitutions = builder_.substitutions;
         TreeCompiler compiler(scratch, files_, machines_);
         compiler.tree(source, {});
+        if (builder_.diagnostics().ok() && builder_.substitutions == nullptr) {
+            check_trees(scratch.program, builder_.diagnostics());
+        }
         for (const std::string_view id : compiler.reached_) {
             reached_.insert(id);
         }

@@ -1,0 +1,16 @@
+// What is probably not meant in a tree that has no errors: nodes that are never ticked, loops that
+// never end. Only what is certain is said, and as warnings: a tree with such a part still runs.
+// Private to runtime/load. Covered by tests/load/tree_checks_test.cpp.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/program.h"
+#include "load/diagnostics.h"
+
+namespace trellis {
+
+/// Warns about the trees of `program`, which was compiled without errors; each place once, however
+/// often a subtree is used. Linear in the rows.
+void check_trees(const Program& program, Diagnostics& diagnostics);
+
+}  // namespace trellis
