@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include "load/tree_statuses.h"
 
+#include "support/disk.h"
 #include "support/files.h"
-#include "support/loading.h"
 #include "support/script_leaves.h"
 
 #include <doctest/doctest.h>
