@@ -5,6 +5,7 @@
 #include "sim/bridge/episode.h"
 #include "sim/bridge/leaves.h"
 #include "support/behaviours.h"
+#include "support/disk.h"
 #include "support/machine_story.h"
 
 #include <doctest/doctest.h>
