@@ -7,6 +7,7 @@
 #include "runner/behaviour.h"
 #include "runner/episode_arguments.h"
 #include "runner/streams.h"
+#include "runner/world_argument.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,7 +32,7 @@ struct RunArguments {
     bool log = false;
     bool stats = false;
     std::optional<double> cell;  ///< m, of the coverage that is reported; none: not reported
-    bool no_world = false;       ///< --world none: no robot; prints "final: ID"
+    WorldArgument world;         ///< none: no robot; prints "final: ID"
     Format format = Format::text;
 };
 void add_options(CLI::App& app, RunArguments& arguments);

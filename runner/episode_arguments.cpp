@@ -91,7 +91,7 @@ void add_options(CLI::App& app, EpisodeArguments& arguments) {
 EpisodeSetup setup_of(const EpisodeArguments& arguments) {
     EpisodeSetup setup;
     setup.dt = arguments.dt;
-    if (arguments.pose) { setup.world.start = *arguments.pose; }
+    if (arguments.pose) { setup.start = *arguments.pose; }
     return setup;
 }
 

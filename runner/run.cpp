@@ -151,7 +151,10 @@ std::string Run::picture(const Episode& episode, const std::string& random) cons
                      {.title = shown_name(arguments_.file),
                       .run = random,
                       .seconds = episode.row().time,
-                      .leaves = labels_.names()});
+                      .leaves = labels_.names(),
+                      .walled = episode.setup().walled,
+                      .floor = coverage_ ? &coverage_->floor() : nullptr,
+                      .start = start_of(episode.setup())});
 }
 
 bool Run::write_files(const Episode& episode, const std::string& random) {
@@ -239,9 +242,25 @@ Exit run_in_world(const RunArguments& arguments, const Behaviour& behaviour, Ran
     const Program& program = *behaviour.program;
     EpisodeSetup setup = setup_of(arguments.episode);
     setup.random = std::move(random);
+    const std::vector<std::int64_t>& seeds = arguments.episode.seeds;
+    setup.noise = noise_of(seeds.empty() ? 0 : seeds.back());
+    std::optional<WalledWorld> world;
+    if (!arguments.world.is_lab()) {
+        Exit exit = Exit::yes;
+        world = load_world(arguments.world.name, streams, exit);
+        if (!world) { return exit; }
+        setup.walled = &*world;
+    }
+    const Pose start = start_of(setup);
+    if (world && !fits(*world, {start.x, start.y})) {
+        return complain(streams, Exit::usage, "--pose: the robot does not fit there");
+    }
     Episode episode(program, std::move(setup));
     std::optional<Floor> floor;
-    if (arguments.cell) { floor.emplace(floor_of(episode.setup().world, *arguments.cell)); }
+    if (arguments.cell) {
+        floor.emplace(world ? floor_of(world->walls, {start.x, start.y}, *arguments.cell)
+                            : floor_of(episode.setup().world, *arguments.cell));
+    }
     Run run(arguments, behaviour, floor ? &*floor : nullptr, streams);
     if (!run.open(random_words)) { return Exit::file; }
     run.drive(episode);
@@ -292,8 +311,7 @@ void add_options(CLI::App& app, RunArguments& arguments) {
     app.add_flag("--log", arguments.log, "print what <log> says, as \"label: value\"");
     app.add_flag("--stats", arguments.stats,
                  "report every node, state and transition, and which were never reached");
-    add_choice<bool>(app, "--world", arguments.no_world, {{"lab", false}, {"none", true}},
-                     "the lab's room, or no robot at all: then only \"final: ID\" is printed");
+    add_option(app, arguments.world);
     add_format(app, arguments.format);
 }
 
@@ -313,7 +331,7 @@ Exit execute(const RunArguments& arguments, Streams& streams) {
         words = "draws " + shown_name(episode.draws);
     }
     if (!random) { return exit; }
-    return arguments.no_world
+    return arguments.world.is_none()
                ? run_without_world(arguments, *behaviour->program, std::move(*random), streams)
                : run_in_world(arguments, *behaviour, std::move(*random), words, streams);
 }

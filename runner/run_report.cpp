@@ -70,7 +70,7 @@ std::string ending(const Episode& episode) {
 
 std::string report_text(const RunReport& report) {
     const Episode& episode = report.episode;
-    const Pose& start = episode.setup().world.start;
+    const Pose start = start_of(episode.setup());
     const Roomba& robot = episode.robot();
     const EpisodeRow row = episode.row();
     std::string out;
@@ -98,7 +98,7 @@ std::string report_text(const RunReport& report) {
 
 std::string report_json(const RunReport& report) {
     const Episode& episode = report.episode;
-    const Pose& start = episode.setup().world.start;
+    const Pose start = start_of(episode.setup());
     const Roomba& robot = episode.robot();
     const EpisodeRow row = episode.row();
     JsonWriter json;

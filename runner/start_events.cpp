@@ -9,7 +9,7 @@ namespace trellis {
 void trace_start(const Episode& episode, TraceSink& sink) {
     State state = fresh_state(episode.program());
     state.random = episode.setup().random;
-    Roomba robot = at_start(episode.setup().world);
+    Roomba robot = robot_of(episode.setup());
     start(episode.program(), state, robot, {.dt = episode.setup().dt, .trace = &sink});
 }
 

@@ -15,9 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A contact within this angle of the heading presses both halves of the bumper, rad.
-constexpr double both_halves = std::numbers::pi / 18.0;
-
 /// In one tick a disc meets at most so many walls; in a corner it would go on between two for ever.
 constexpr int most_hits = 8;
 
@@ -69,10 +66,8 @@ Vector2d slid(const Walls& walls, Drive& drive, double heading, Vector2d place, 
 }  // namespace
 
 void sense(const Drive& drive, Roomba& robot) {
-    const bool front = drive.touched && std::fabs(drive.angle) <= std::numbers::pi / 2.0;
-    robot.bumper = drive.touched;
-    robot.bumper_left = front && drive.angle <= both_halves;
-    robot.bumper_right = front && drive.angle >= -both_halves;
+    robot.release_bumper();
+    if (drive.touched) robot.press_bumper(drive.angle);
 }
 
 void move(const Walls& walls, Drive& drive, Roomba& robot, double dt) {

@@ -4,8 +4,20 @@
 #include "sim/lab_world.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace trellis {
+
+namespace {
+
+/// Where the walls are, from the heading: -pi to pi. Between two walls it is the middle.
+double angle_of(const Contacts& touched, double rotation) {
+    const double x = (touched.right ? 1.0 : 0.0) - (touched.left ? 1.0 : 0.0);
+    const double y = (touched.bottom ? 1.0 : 0.0) - (touched.top ? 1.0 : 0.0);
+    return std::remainder(std::atan2(y, x) - rotation, 2.0 * std::numbers::pi);
+}
+
+}  // namespace
 
 Roomba at_start(const LabWorld& world) {
     return {.x = world.start.x, .y = world.start.y, .rotation = world.start.rotation};
@@ -17,7 +29,8 @@ void sense(const LabWorld& world, Roomba& robot) {
     if (touched.right) robot.x = world.width - world.radius;
     if (touched.top) robot.y = world.radius;
     if (touched.bottom) robot.y = world.height - world.radius;
-    robot.bumper = touched.any();
+    robot.release_bumper();
+    if (touched.any()) robot.press_bumper(angle_of(touched, robot.rotation));
 }
 
 void move(Roomba& robot, double dt) {

@@ -5,6 +5,7 @@
 
 #include "sim/svg.h"
 #include "sim/trail_lines.h"
+#include "sim/world_svg.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,9 +120,14 @@ Bumps bumps_of(const LabWorld& world, std::span<const TrailPoint> trail) {
     return bumps;
 }
 
+Bumps bumps_of(const WalledWorld& world, std::span<const TrailPoint> trail) {
+    TouchMarks marks = touch_marks(world, trail);
+    return {.marks = std::move(marks.path), .ticks = marks.points};
+}
+
 /// The robot from above: its disc, the bumper in front, and where it looks.
-std::string robot_disc(const LabWorld& world, const Roomba& robot) {
-    const double radius = world.radius * 100.0;
+std::string robot_disc(double metres, const Roomba& robot) {
+    const double radius = metres * 100.0;
     const double bumper = std::numbers::pi / 3.0;  // to each side of the heading
     const auto spot = [&](double angle, double distance) {
         return number(distance * std::cos(angle)) + " " + number(distance * std::sin(angle));
@@ -155,7 +161,8 @@ struct Entry {
 };
 
 /// What the legend explains: the leaves that ran, with their share of the ticks, and the marks.
-std::vector<Entry> entries_of(std::span<const LeafLines> leaves, const Bumps& bumps) {
+std::vector<Entry> entries_of(std::span<const LeafLines> leaves, const Bumps& bumps,
+                              const TrailPicture& picture) {
     const std::size_t ticks =
         std::accumulate(leaves.begin(), leaves.end(), std::size_t{0},
                         [](std::size_t sum, const LeafLines& leaf) { return sum + leaf.ticks; });
@@ -182,6 +189,22 @@ std::vector<Entry> entries_of(std::span<const LeafLines> leaves, const Bumps& bu
     }
     entries.push_back({moved_to(12.0, 0.0, start_ring()), "start"});
     if (bumps.ticks != 0) entries.push_back({path(bump_stroke(), "M12 -4v8"), "bump"});
+    if (picture.walled != nullptr) {
+        const auto spot = [](const char* colour) {
+            return "<circle" + attribute("cx", 12.0) + attribute("r", 6.0) +
+                   attribute("fill", colour) + attribute("fill-opacity", "0.5") + "/>\n";
+        };
+        if (!picture.walled->plan.dirt.empty()) entries.push_back({spot("#8a6d3b"), "dirt"});
+        if (!picture.walled->plan.docks.empty()) entries.push_back({spot("#4c8c5a"), "dock"});
+    }
+    if (picture.floor != nullptr) {
+        const auto colours = heat_colours();
+        for (std::size_t i = 0; i < colours.size(); ++i)
+            entries.push_back({"<rect" + attribute("y", -6.0) + attribute("width", 24.0) +
+                                   attribute("height", 12.0) + attribute("fill", colours[i]) +
+                                   "/>\n",
+                               std::to_string(i + 1) + (i + 1 < colours.size() ? "" : "+") + "×"});
+    }
     return entries;
 }
 
@@ -214,25 +237,36 @@ Foot foot(std::span<const Entry> entries, double width) {
 }
 
 /// "seed 7 · 600 s · 41 bumps"; a trail that does not begin at the start says how much it shows.
-std::string subtitle(const LabWorld& world, std::span<const TrailPoint> trail,
-                     const TrailPicture& picture, const Bumps& bumps) {
+std::string subtitle(std::span<const TrailPoint> trail, const TrailPicture& picture,
+                     const Bumps& bumps) {
     std::string words = picture.run.empty() ? "" : std::string(picture.run) + " · ";
     words += number(picture.seconds) + " s";
-    if (!trail.empty() && (trail[0].x != world.start.x || trail[0].y != world.start.y))
+    if (!trail.empty() && (trail[0].x != picture.start.x || trail[0].y != picture.start.y))
         words += " · last " + std::to_string(trail.size()) + " ticks";
     words += " · " + std::to_string(bumps.ticks);
     return words + (bumps.ticks == 1 ? " bump" : " bumps");
 }
 
-/// The room and everything in it; the lab's look has no marks.
-std::string inside(const LabWorld& world, std::span<const LeafLines> leaves, const Bumps& bumps,
-                   const Roomba& end, TrailLook look) {
-    std::string out = room(world) + lines({leaves.begin(), leaves.end()}, look);
-    if (look == TrailLook::leaves) {
+/// The room or rooms and everything in them; the lab's look has no marks.
+std::string inside(const LabWorld& world, std::span<const TrailPoint> trail,
+                   std::span<const LeafLines> leaves, const Bumps& bumps, const Roomba& end,
+                   const TrailPicture& picture) {
+    std::string out = picture.walled == nullptr ? room(world) : ground_svg(*picture.walled);
+    if (picture.floor != nullptr) out += heat_svg(*picture.floor, trail);
+    if (picture.walled != nullptr) out += walls_svg(*picture.walled);
+    out += lines({leaves.begin(), leaves.end()}, picture.look);
+    if (picture.look == TrailLook::leaves) {
         if (!bumps.marks.empty()) out += path(bump_stroke(), bumps.marks);
-        out += moved_to(world.start.x * 100.0, world.start.y * 100.0, start_ring());
+        out += moved_to(picture.start.x * 100.0, picture.start.y * 100.0, start_ring());
     }
-    return out + robot_disc(world, end);
+    const double radius = picture.walled == nullptr ? world.radius : picture.walled->walls.radius();
+    return out + robot_disc(radius, end);
+}
+
+/// What the room or rooms take of the floor.
+Bounds extent(const LabWorld& world, const TrailPicture& picture) {
+    if (picture.walled != nullptr) return picture.walled->walls.bounds();
+    return {{0.0, 0.0}, {world.width, world.height}};
 }
 
 /// The document of a given size, its background, title and second line.
@@ -262,15 +296,18 @@ std::string trail_svg(const LabWorld& world, std::span<const TrailPoint> trail, 
     const std::vector<LeafLines> leaves = lab || picture.leaves.empty()
                                               ? std::vector<LeafLines>{red_line(way)}
                                               : leaf_lines(way, picture.leaves);
-    const Bumps bumps = bumps_of(world, trail);
+    const Bumps bumps =
+        picture.walled == nullptr ? bumps_of(world, trail) : bumps_of(*picture.walled, trail);
 
-    const double width = std::max(world.width * 100.0 + 2.0 * margin, narrowest);
-    const double foot_top = header + world.height * 100.0 + footer;
-    const Foot below = foot(lab ? std::vector<Entry>{} : entries_of(leaves, bumps), width);
-    return head(width, foot_top + below.height, picture.title,
-                subtitle(world, trail, picture, bumps)) +
-           moved_to((width - world.width * 100.0) / 2.0, header,
-                    inside(world, leaves, bumps, end, picture.look)) +
+    const Bounds bounds = extent(world, picture);
+    const double room_width = (bounds.most.x - bounds.least.x) * 100.0;
+    const double width = std::max(room_width + 2.0 * margin, narrowest);
+    const double foot_top = header + (bounds.most.y - bounds.least.y) * 100.0 + footer;
+    const Foot below = foot(lab ? std::vector<Entry>{} : entries_of(leaves, bumps, picture), width);
+    return head(width, foot_top + below.height, picture.title, subtitle(trail, picture, bumps)) +
+           moved_to((width - room_width) / 2.0 - bounds.least.x * 100.0,
+                    header - bounds.least.y * 100.0,
+                    inside(world, trail, leaves, bumps, end, picture)) +
            moved_to(0.0, foot_top, below.svg) + "</svg>\n";
 }
 

@@ -7,6 +7,7 @@
 #include "sim/lab_world.h"
 #include "sim/roomba.h"
 #include "sim/trail.h"
+#include "sim/walled_world.h"
 
 #include <cstdint>
 #include <span>
@@ -27,6 +28,9 @@ struct TrailPicture {
     double seconds = 0.0;                      ///< simulated time, s
     std::span<const std::string> leaves = {};  ///< names for TrailPoint::leaf; empty: one red trail
     TrailLook look = TrailLook::leaves;
+    const WalledWorld* walled = nullptr;  ///< drawn in place of the lab's room
+    const Floor* floor = nullptr;         ///< how often each cell was covered is drawn on it
+    Pose start = LabWorld{}.start;        ///< where the run began
 };
 
 /// An SVG document of the trail and of the robot at its end, 100 pixels per metre, on a background

@@ -32,13 +32,18 @@ double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-Vector2d nearest_on(const Segment& wall, const Vector2d& place) {
-    const Vector2d from = vector(wall.from);
-    const Vector2d along = vector(wall.to) - from;
-    const double length = along.squaredNorm();
-    const double part =
-        length > 0.0 ? std::clamp((place - from).dot(along) / length, 0.0, 1.0) : 0.0;
-    return from + part * along;
+Vector2d from_of(const Walls::Line& line) {
+    return {line.x, line.y};
+}
+
+Vector2d along_of(const Walls::Line& line) {
+    return {line.along_x, line.along_y};
+}
+
+Vector2d nearest_on(const Walls::Line& line, const Vector2d& place) {
+    const Vector2d away = place - from_of(line);
+    const double part = std::clamp(away.dot(along_of(line)) * line.per_squared, 0.0, 1.0);
+    return from_of(line) + part * along_of(line);
 }
 
 /// The part of `way` after which a point that starts at `from` (relative to the circle's centre)
@@ -54,12 +59,13 @@ double part_to_circle(const Vector2d& from, const Vector2d& way, double radius) 
 }
 
 /// The same for the segment as a whole, for a disc that is clear of it.
-double part_to_wall(const Segment& wall, const Vector2d& from, const Vector2d& way, double radius) {
-    const Vector2d begin = vector(wall.from);
-    const Vector2d along = vector(wall.to) - begin;
+double part_to_wall(const Walls::Line& wall, const Vector2d& from, const Vector2d& way,
+                    double radius) {
+    const Vector2d begin = from_of(wall);
+    const Vector2d along = along_of(wall);
     const double length = along.norm();
     double part = std::min(part_to_circle(from - begin, way, radius),
-                           part_to_circle(from - vector(wall.to), way, radius));
+                           part_to_circle(from - begin - along, way, radius));
     if (length == 0.0) return part;
 
     const double off = cross(along, from - begin) / length;  // signed distance from the line
@@ -90,6 +96,16 @@ Walls::Walls(std::vector<Segment> segments, double radius, Bounds bounds)
     columns_ = cells_over(width, per_cell_);
     rows_ = cells_over(height, per_cell_);
 
+    for (const Segment& wall : segments_) {
+        const Vector2d along = vector(wall.to) - vector(wall.from);
+        const double squared = along.squaredNorm();
+        lines_.push_back({.x = wall.from.x,
+                          .y = wall.from.y,
+                          .along_x = along.x(),
+                          .along_y = along.y(),
+                          .per_squared = squared > 0.0 ? 1.0 / squared : 0.0});
+    }
+
     // a wall is listed in each cell whose middle is so near that a place of the cell may be near
     const double near = radius_ + reach_ + cell * std::sqrt(0.5);
     std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(columns_) *
@@ -107,7 +123,7 @@ Walls::Walls(std::vector<Segment> segments, double radius, Bounds bounds)
                  ++column) {
                 const Vector2d middle(bounds.least.x + (column + 0.5) * cell,
                                       bounds.least.y + (row + 0.5) * cell);
-                if ((nearest_on(segments_[i], middle) - middle).norm() <= near)
+                if ((nearest_on(lines_[i], middle) - middle).norm() <= near)
                     lists[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                           static_cast<std::size_t>(column)]
                         .push_back(i);
@@ -140,7 +156,7 @@ Hit Walls::first_hit(Point from_point, Point to) const {
     const double grazing = -most_grazing * length;
     Hit hit;
     for (const std::uint32_t i : around(from_point)) {
-        const Segment& wall = segments_[i];
+        const Line& wall = lines_[i];
         const Vector2d away = from - nearest_on(wall, from);
         const double squared = away.squaredNorm();
         if (squared > far) continue;
@@ -161,7 +177,7 @@ Hit Walls::first_hit(Point from_point, Point to) const {
 Nearest Walls::nearest(Point place) const {
     Nearest nearest{.place = {}, .distance = std::numeric_limits<double>::infinity()};
     for (const std::uint32_t i : around(place)) {
-        const Vector2d on_wall = nearest_on(segments_[i], vector(place));
+        const Vector2d on_wall = nearest_on(lines_[i], vector(place));
         const double distance = (on_wall - vector(place)).norm();
         if (distance < nearest.distance)
             nearest = {.place = {on_wall.x(), on_wall.y()}, .distance = distance};
@@ -176,13 +192,21 @@ double Walls::ray(Point from, double angle, double most) const {
         const Vector2d place = begin + done * direction;
         double distance = most - done;
         for (const std::uint32_t i : around({place.x(), place.y()})) {
-            const Vector2d wall = vector(segments_[i].from) - place;
-            const Vector2d along = vector(segments_[i].to) - vector(segments_[i].from);
-            const double across = cross(direction, along);
-            if (across == 0.0) continue;  // parallel: its ends belong to other walls
-            const double at = cross(wall, along) / across;
-            const double part = cross(wall, direction) / across;
-            if (at >= 0.0 && part >= 0.0 && part <= 1.0) distance = std::min(distance, at);
+            // place + at direction = wall + part along, both times `across`
+            const Vector2d wall = from_of(lines_[i]) - place;
+            const Vector2d along = along_of(lines_[i]);
+            double across = cross(direction, along);
+            double at = cross(wall, along);
+            double part = cross(wall, direction);
+            if (across < 0.0) {
+                across = -across;
+                at = -at;
+                part = -part;
+            }
+            // beside the line, behind, or beyond what was found; parallel: its ends are other
+            // walls'
+            if (part < 0.0 || part > across || at < 0.0 || at >= distance * across) continue;
+            distance = at / across;
         }
         if (distance <= reach_ && distance < most - done) return done + distance;
     }

@@ -32,6 +32,13 @@ public:
     /// `radius` of the disc in m, above 0. `bounds` hold every place that will be asked about.
     Walls(std::vector<Segment> segments, double radius, Bounds bounds);
 
+    /// A wall as questions need it.
+    struct Line {
+        double x = 0.0, y = 0.0;              // m, its beginning
+        double along_x = 0.0, along_y = 0.0;  // m, from there to its end
+        double per_squared = 0.0;             // 1/m²: 1 / length²; 0 for a wall without length
+    };
+
     const std::vector<Segment>& segments() const { return segments_; }
     double radius() const { return radius_; }  ///< m
     const Bounds& bounds() const { return bounds_; }
@@ -56,6 +63,7 @@ private:
     std::span<const std::uint32_t> around(Point place) const;
 
     std::vector<Segment> segments_;
+    std::vector<Line> lines_;  // of the segments
     double radius_;
     Bounds bounds_;
     double reach_;

@@ -1,6 +1,7 @@
-// One run of a behaviour in the lab's world: robot, program state and the order of a tick
-// (LAB 1.2). It writes nothing and knows no files. Covered by tests/sim/episode_test.cpp and,
-// against recorded runs, tests/sim/lab_behaviours_test.cpp.
+// One run of a behaviour in the lab's room or in a world of walls: robot, program state, what the
+// run changes in its world, and the order of a tick (LAB 1.2). It writes nothing and knows no
+// files. Covered by tests/sim/episode_test.cpp and, against recorded runs,
+// tests/sim/lab_behaviours_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,18 +12,33 @@
 #include "exec/step.h"
 #include "sim/lab_world.h"
 #include "sim/roomba.h"
+#include "sim/surroundings.h"
+#include "sim/walled_world.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace trellis {
 
 /// Where and how a run begins.
 struct EpisodeSetup {
-    LabWorld world = {};
-    double dt = lab_dt;  ///< s
-    Random random = {};
+    LabWorld world = {};                  ///< where the run is, unless there is a `walled` one
+    const WalledWorld* walled = nullptr;  ///< shared by all its runs, which it outlives
+    std::optional<Pose> start = {};       ///< none: the world's own, of `walled` the first
+    double dt = lab_dt;                   ///< s
+    Random random = {};                   ///< of the behaviour
+    Random noise = {};  ///< of the robot's drive and sensors, where a world has noise
 };
+
+/// The noise of the run with that seed: Python's random.Random(2**32 + seed), so that it does not
+/// repeat what the behaviour draws.
+Random noise_of(std::int64_t seed);
+
+/// Where the run begins.
+Pose start_of(const EpisodeSetup& setup);
+/// The robot before the first tick.
+Roomba robot_of(const EpisodeSetup& setup);
 
 /// What one tick looked like: a row of the trace.
 struct EpisodeRow {
@@ -50,13 +66,19 @@ public:
     const Program& program() const { return *program_; }
     const State& state() const { return state_; }
     const Roomba& robot() const { return robot_; }
+    /// Of a run in a world of walls.
+    const Surroundings& surroundings() const { return around_; }
     const EpisodeSetup& setup() const { return setup_; }
 
 private:
+    void sense_around();
+    void move_around();
+
     const Program* program_;
     EpisodeSetup setup_;
     StepOptions options_;  // kept, because a tick takes little longer than filling them in
     Roomba robot_;
+    Surroundings around_;
     State state_;
     Status status_ = Status::running;
 };

@@ -1,6 +1,6 @@
 // The Roomba's leaves and sensors: what behaviour files can name. The four leaves of the lab's
 // report keep their names and rules (LAB 1.4); the others are the primitives they can be written
-// with. Covered by tests/sim/leaves_test.cpp.
+// with. Covered by tests/sim/leaves_test.cpp and household_leaves_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -70,8 +70,73 @@ struct Bumped {
     bool tick(Roomba& robot, const Tick& t) const;
 };
 
+/// Follows the wall on the right at `distance` until `duration` has passed: success. Turns away to
+/// the left while it bumps, and to the right where the wall ends.
+struct FollowWall {
+    double speed = 0.3;      // m/s    input
+    double distance = 0.05;  // m      input: from the robot's side
+    double gain = 10.0;      // rad/s per m  input
+    double duration = 20.0;  // s      input
+    int ticks = 0;           //        state
+    int away = 0;            //        state: ticks for which it still turns away
+    Status tick(Roomba& robot, const Tick& t);
+};
+
+/// Turns on the spot to an absolute heading, the shorter way round: success.
+struct TurnTo {
+    double heading = 0.0;  // rad    input
+    double rate = 1.0;     // rad/s  input, above 0
+    Status tick(Roomba& robot, const Tick& t) const;
+};
+
+/// Drives to a place: turns towards it on the spot, then straight. Succeeds within `tolerance` of
+/// it, fails on a bump.
+struct DriveTo {
+    double x = 0.0;           // m    input
+    double y = 0.0;           // m    input
+    double speed = 0.3;       // m/s  input
+    double tolerance = 0.05;  // m    input, above 0
+    Status tick(Roomba& robot, const Tick& t) const;
+};
+
+/// Drives to the dock while it can be seen: succeeds when docked, at rest; fails when it is not
+/// seen.
+struct DriveToDock {
+    double speed = 0.3;  // m/s  input
+    Status tick(Roomba& robot, const Tick& t) const;
+};
+
+/// Cleans a spot in a small spiral until no dirt has been found for `clear` s: success. Fails on a
+/// bump.
+struct Spot {
+    double speed = 0.2;    // m/s  input
+    double radius = 0.1;   // m    input: of the spiral at the start
+    double growth = 0.01;  // m/s  input: of the radius
+    double clear = 2.0;    // s    input
+    int ticks = 0;         //      state
+    int clean_ticks = 0;   //      state: since dirt was last found
+    Status tick(Roomba& robot, const Tick& t);
+};
+
+/// Succeeds while the battery holds less than `level` of a full one, else fails.
+struct BatteryLow {
+    double level = 0.3;  // input, 0 to 1
+    bool tick(Roomba& robot, const Tick& t) const;
+};
+
+/// Succeeds while there is dirt under the robot, else fails.
+struct DirtFound {
+    bool tick(Roomba& robot, const Tick& t) const;
+};
+
+/// Succeeds while the robot is at the dock, else fails.
+struct Docked {
+    bool tick(Roomba& robot, const Tick& t) const;
+};
+
 /// Adds all of the above, and the sensors `_x.x`, `_x.y`, `_x.rotation`, `_x.v`, `_x.w`,
-/// `_x.bumper`.
+/// `_x.bumper`, `_x.bumper_left`, `_x.bumper_right`, `_x.wall_distance`, `_x.dirt`, `_x.battery`,
+/// `_x.docked`, `_x.dock_visible` and `_x.dock_bearing`.
 void register_roomba(Registry& registry);
 
 }  // namespace trellis

@@ -157,8 +157,10 @@ TEST_CASE("labs: every file has the dwell times and the turns of its lab") {
 }
 
 TEST_CASE("labs: the table names every behaviour file that is a lab's") {
-    std::vector<std::string> named{"machines/door.scxml", "machines/supervisor.scxml",
-                                   "trees/door.xml"};
+    std::vector<std::string> named{"machines/bounce.scxml",     "machines/cleaner.scxml",
+                                   "machines/door.scxml",       "machines/modes.scxml",
+                                   "machines/supervisor.scxml", "trees/bounce.xml",
+                                   "trees/cleaner.xml",         "trees/door.xml"};
     std::vector<std::string> files;
     for (const Lab& lab : lab_table)
         named.emplace_back(lab.file);

@@ -41,7 +41,7 @@ TEST_CASE("nodes: as JSON") {
     CHECK(named("GoBack")["ports"][0] == nlohmann::json::parse(R"({
         "name": "speed", "direction": "input", "type": "double", "unit": "m/s", "required": false,
         "default": "0.1", "doc": "backwards"})"));
-    CHECK(nodes["sensors"].size() == 6);
+    CHECK(nodes["sensors"].size() == 14);
 }
 
 TEST_CASE("nodes: as a TreeNodesModel of the leaves, which reads back") {

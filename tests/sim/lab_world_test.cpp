@@ -48,9 +48,10 @@ TEST_CASE("lab world: a robot away from the walls is left alone and its bumper r
 
 TEST_CASE("lab world: touching a wall exactly presses the bumper and moves nobody") {
     CHECK(sensed(0.17, 2.4) == Roomba{.x = 0.17, .y = 2.4, .bumper = true});
-    CHECK(sensed(3.2, 0.17) == Roomba{.x = 3.2, .y = 0.17, .bumper = true});
-    CHECK(sensed(6.23, 2.4) == Roomba{.x = 6.23, .y = 2.4, .bumper = true});
-    CHECK(sensed(3.2, 4.63) == Roomba{.x = 3.2, .y = 4.63, .bumper = true});
+    CHECK(sensed(3.2, 0.17) == Roomba{.x = 3.2, .y = 0.17, .bumper = true, .bumper_left = true});
+    CHECK(sensed(6.23, 2.4) ==
+          Roomba{.x = 6.23, .y = 2.4, .bumper = true, .bumper_left = true, .bumper_right = true});
+    CHECK(sensed(3.2, 4.63) == Roomba{.x = 3.2, .y = 4.63, .bumper = true, .bumper_right = true});
 }
 
 TEST_CASE("lab world: the nearest pose that does not touch is free") {
@@ -63,7 +64,9 @@ TEST_CASE("lab world: the nearest pose that does not touch is free") {
 TEST_CASE("lab world: a robot beyond a wall is put back against it, heading kept") {
     Roomba robot{.x = 6.3, .y = 1.0, .rotation = 30.0};
     sense(lab, robot);
-    CHECK(robot == Roomba{.x = 6.4 - 0.17, .y = 1.0, .rotation = 30.0, .bumper = true});
+    CHECK(
+        robot ==
+        Roomba{.x = 6.4 - 0.17, .y = 1.0, .rotation = 30.0, .bumper = true, .bumper_right = true});
     CHECK(sensed(-1.0, 1.0).x == 0.17);
     CHECK(sensed(1.0, -1.0).y == 0.17);
     CHECK(sensed(1.0, 9.0).y == lab.height - 0.17);
@@ -88,7 +91,11 @@ TEST_CASE("lab world: in a corner both walls push and both are told") {
 TEST_CASE("lab world: in a room narrower than the robot the right and the bottom wall win") {
     const LabWorld narrow{.width = 0.2, .height = 0.1};
     const Roomba robot = sensed(0.1, 0.05, narrow);
-    CHECK(robot == Roomba{.x = 0.2 - 0.17, .y = 0.1 - 0.17, .bumper = true});
+    CHECK(robot == Roomba{.x = 0.2 - 0.17,
+                          .y = 0.1 - 0.17,
+                          .bumper = true,
+                          .bumper_left = true,
+                          .bumper_right = true});
     CHECK(contacts(narrow, 0.1, 0.05) == Contacts{true, true, true, true});
 }
 

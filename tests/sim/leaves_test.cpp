@@ -158,14 +158,29 @@ TEST_CASE("leaves: all are registered with their ports, and the sensors of the r
     for (const Sensor& sensor : registry.host().sensors)
         sensors.push_back(sensor.name);
     CHECK(leaves == std::vector<std::string>{"MoveForward", "MoveInSpiral", "GoBack", "Rotate",
-                                             "SetVelocity", "Wait", "Bumped"});
-    CHECK(ports == std::vector<std::string>{
-                       "MoveForward.speed", "MoveForward.duration", "MoveInSpiral.speed",
-                       "MoveInSpiral.radius", "MoveInSpiral.growth", "MoveInSpiral.duration",
-                       "GoBack.speed", "GoBack.duration", "Rotate.rate", "Rotate.least",
-                       "Rotate.most", "SetVelocity.linear", "SetVelocity.angular",
-                       "SetVelocity.hold", "Wait.duration"});
-    CHECK(sensors == std::vector<std::string>{"bumper", "x", "y", "rotation", "v", "w"});
+                                             "SetVelocity", "Wait", "Bumped", "FollowWall",
+                                             "TurnTo", "DriveTo", "Dock", "Spot", "BatteryLow",
+                                             "DirtFound", "Docked"});
+    CHECK(ports == std::vector<std::string>{"MoveForward.speed",   "MoveForward.duration",
+                                            "MoveInSpiral.speed",  "MoveInSpiral.radius",
+                                            "MoveInSpiral.growth", "MoveInSpiral.duration",
+                                            "GoBack.speed",        "GoBack.duration",
+                                            "Rotate.rate",         "Rotate.least",
+                                            "Rotate.most",         "SetVelocity.linear",
+                                            "SetVelocity.angular", "SetVelocity.hold",
+                                            "Wait.duration",       "FollowWall.speed",
+                                            "FollowWall.distance", "FollowWall.gain",
+                                            "FollowWall.duration", "TurnTo.heading",
+                                            "TurnTo.rate",         "DriveTo.x",
+                                            "DriveTo.y",           "DriveTo.speed",
+                                            "DriveTo.tolerance",   "Dock.speed",
+                                            "Spot.speed",          "Spot.radius",
+                                            "Spot.growth",         "Spot.clear",
+                                            "BatteryLow.level"});
+    CHECK(sensors == std::vector<std::string>{"bumper", "x", "y", "rotation", "v", "w",
+                                              "bumper_left", "bumper_right", "wall_distance",
+                                              "dirt", "battery", "docked", "dock_visible",
+                                              "dock_bearing"});
     CHECK(registry.find("Bumped")->condition);
     CHECK_FALSE(registry.find("Wait")->condition);
 }
