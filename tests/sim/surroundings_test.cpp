@@ -26,7 +26,8 @@ Roomba sensed(const WalledWorld& world, const Surroundings& around, Pose pose) {
     return robot;
 }
 
-TEST_CASE("surroundings: the distance from the right side to a wall, at most a quarter of a metre") {
+TEST_CASE(
+    "surroundings: the distance from the right side to a wall, at most a quarter of a metre") {
     const WalledWorld world(plan());
     const Surroundings around = surroundings_of(world.plan);
     CHECK(sensed(world, around, {3.0, 4.5, 0.0}).wall_distance == doctest::Approx(0.13));
