@@ -5,6 +5,7 @@
 #include "load/check.h"
 #include "load/compile.h"
 #include "load/forms.h"
+#include "load/machine_checks.h"
 #include "load/words.h"
 
 #include <algorithm>
@@ -44,11 +45,37 @@ void MachineCompiler::machine() {
     }
     find_dependence_on_time();
     if (computes_source_) { find_sources(); }
+    if (builder_.diagnostics().ok()) { find_doubts(); }
     // of parallel states several are active at once; `_event` is written in every cycle
     if (program.has_parallel || program.event_slot) { return; }
     for (std::uint32_t i = 0; i < elements_.size(); ++i) {
         if (elements_[i] && is_state(RowId{i})) { find_quiet({i}); }
     }
+}
+
+// What the machine puts into its own queues can be told from the text, unless it computes names or
+// others get its events too.
+void MachineCompiler::find_doubts() {
+    std::vector<ElementId> raises;
+    bool computed = false;
+    bool forwards = false;
+    for_each_element([&](ElementId e) {
+        const std::string_view name = document().name(e);
+        const auto has = [&](std::string_view what) { return document().find(e, what) != nullptr; };
+        computed |= has("eventexpr");
+        forwards |= has("autoforward");
+        const bool elsewhere = has("target") || has("targetexpr") || has("type") || has("typeexpr");
+        if (name == "raise" || (name == "send" && !elsewhere)) { raises.push_back(e); }
+    });
+    transitions_.resize(builder_.program.transitions.size());
+    check_machine({.program = builder_.program,
+                   .document = document(),
+                   .rows = elements_,
+                   .transitions = transitions_,
+                   .raises = raises,
+                   .computes_events = computed,
+                   .forwards_events = forwards},
+                  builder_.diagnostics());
 }
 
 bool MachineCompiler::is_state(ElementId e) const {

@@ -68,6 +68,7 @@ private:
     void fill_history(RowId n);
     RowId domain_of(const Transition& transition) const;
     void find_dependence_on_time();
+    void find_doubts();
     // activities: machine_activities.cpp
     void fill_invoke(RowId n);
     void fill_leaf(ElementId e, RowId invoke);
@@ -137,7 +138,8 @@ private:
     InvokedMachines& machines_;
     EventNames names_;
     MachineScope scope_;
-    std::vector<ElementId> elements_;  // by row: where it comes from; none below invoke rows
+    std::vector<ElementId> elements_;     // by row: where it comes from; none below invoke rows
+    std::vector<ElementId> transitions_;  // by transition; none for ways of entering
     std::deque<InvokedTree> trees_;
     std::deque<std::string> named_texts_;  // of src attributes of <data> and <script>
     std::uint32_t state_count_ = 0;

@@ -155,6 +155,8 @@ void MachineCompiler::transition(ElementId e, RowId source) {
     }
     if (document().child_count(e) != 0) { t.block = block(e, source); }
     program.transitions.push_back(t);
+    transitions_.resize(program.transitions.size());
+    transitions_.back() = e;
 }
 
 // The states that an attribute names; they must lie inside `inside` and not exclude each other.
