@@ -119,9 +119,10 @@ TEST_CASE("machine checks: eventless transitions that lead back to where they be
                "<state id='c'/>\n<transition target='a'/></state>") ==
           "4:2: never-rests: transitions without event and condition lead from \"a\" back to it, "
           "without end\n");
-    CHECK(told("<state id='a'><onentry><log expr='1'/></onentry>\n<transition cond='true'/></state>")
-              .find("3:2: never-rests: transitions without event and condition lead from \"a\"") !=
-          std::string::npos);
+    CHECK(
+        told("<state id='a'><onentry><log expr='1'/></onentry>\n<transition cond='true'/></state>")
+            .find("3:2: never-rests: transitions without event and condition lead from \"a\"") !=
+        std::string::npos);
     CHECK(told("<state id='a'><transition target='b'/></state><state id='b'><transition "
                "cond='In(\"a\")' target='c'/><transition target='a'/></state><state id='c'/>") ==
           "");
