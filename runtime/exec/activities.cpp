@@ -191,17 +191,22 @@ void Stepper::end_session() {
     parent_->s_.session.external.push_back(std::move(event));
 }
 
-// Ends what a state invokes that is left. A machine leaves its states, and sends nothing any more.
+// A machine that is stopped leaves its states, and sends nothing any more.
+void Stepper::stop_child(std::size_t child) {
+    in_child(child, [](Stepper& session) {
+        session.is_mute_ = true;
+        session.leave_all();
+    });
+    s_.children.erase(s_.children.begin() + static_cast<std::ptrdiff_t>(child));
+}
+
+// Ends what a state invokes that is left.
 void Stepper::stop_invokes(RowId n) {
     const auto inside = [&](RowId invoke) { return p_.within(invoke, n); };
     for (const RowId invoke : invokes_of(n)) {
         const std::size_t child = child_of(invoke);
         if (child != s_.children.size() && s_.children[child].invoke == invoke) {
-            in_child(child, [](Stepper& session) {
-                session.is_mute_ = true;
-                session.leave_all();
-            });
-            s_.children.erase(s_.children.begin() + static_cast<std::ptrdiff_t>(child));
+            stop_child(child);
         }
         reset(invoke);
     }

@@ -1,6 +1,6 @@
-// Answers the forms that need no code (Condition, Formula, Derived in core/program.h): inlined into
-// the cycle, because robots ask them in every one. Private to runtime/exec. Covered by
-// tests/exec/forms_test.cpp, which asks the code of each form for the same.
+// Answers the forms that need no code (Condition, Formula in core/program.h): inlined into the
+// cycle, because robots ask them in every one. Private to runtime/exec. Covered by
+// tests/exec/quiet_step_test.cpp, which asks the code of each form for the same.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -233,7 +233,7 @@ void Stepper::halt_node(RowId n) {
     case Op::run_machine:
         if (status_[n.index] == Status::running) {
             trace({.kind = TraceEvent::Kind::halt, .row = n});
-            end_machine_node(n);
+            stop_child(child_of(n));
         }
         break;
     case Op::machine: leave_all(); break;

@@ -207,7 +207,6 @@ private:
     void start_machine_node(RowId n, const MachineNode& node);
     void share_entries(const MachineNode& node, State& machine);
     bool take_entries(RowId n, const MachineNode& node, State& machine);
-    void end_machine_node(RowId n);
     Status status_from(const Value& data, Status otherwise);
     /// What the program says of the <invoke> that runs a machine; null if a <Machine> does.
     const InvokeInfo* invoke_of(const Child& child) const {
@@ -386,6 +385,7 @@ private:
     bool has_waiting(const Program& program, const State& state) const;
     void end_session();
     void stop_invokes(RowId n);
+    void stop_child(std::size_t child);
     void tick_invokes();
     void end_invokes();
     void end_invoke(RowId n);

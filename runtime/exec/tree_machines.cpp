@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: MIT
 #include "exec/stepper.h"
 
-#include <utility>
-
 namespace trellis {
 
 // Like a leaf, one that has completed and was not reset repeats its result (TREES §1.3).
@@ -69,16 +67,6 @@ bool Stepper::take_entries(RowId n, const MachineNode& node, State& machine) {
         count_write(param.entry);
     }
     return true;
-}
-
-// Leaves the states of a machine whose node is halted. What it sends then is dropped.
-void Stepper::end_machine_node(RowId n) {
-    const std::size_t child = child_of(n);
-    in_child(child, [](Stepper& machine) {
-        machine.is_mute_ = true;
-        machine.leave_all();
-    });
-    s_.children.erase(s_.children.begin() + static_cast<std::ptrdiff_t>(child));
 }
 
 // The member `status` of the donedata of its end, where that has one.

@@ -9,6 +9,7 @@
 #include "load/text.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace trellis {
@@ -75,29 +76,45 @@ MachineId InvokedMachines::source(std::string_view text, const ReadFile& from) {
     return file(text, from, {});
 }
 
-std::vector<std::string_view> InvokedMachines::variables(MachineId machine) const {
-    const Document& document = machines_[machine.index].file->document;
-    std::vector<std::string_view> names;
-    for (const ElementId model : document.children(machines_[machine.index].root)) {
+const std::vector<std::string_view>& InvokedMachines::variables(MachineId machine) {
+    Machine& known = machines_[machine.index];
+    if (known.variables) { return *known.variables; }
+    const Document& document = known.file->document;
+    std::vector<std::string_view>& names = known.variables.emplace();
+    for (const ElementId model : document.children(known.root)) {
         if (document.name(model) != "datamodel") { continue; }
         for (const ElementId data : document.children(model)) {
             names.push_back(document.value(data, "id"));
         }
     }
+    std::sort(names.begin(), names.end());
     return names;
 }
 
 namespace {
 
+/// By machine: the numbers of the variables that whoever invokes it may set.
+using Variables = std::vector<std::unordered_map<std::string_view, SlotId>>;
+
+Variables variables_of(const std::vector<Program>& machines) {
+    Variables all(machines.size());
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+        for (const SlotId variable : machines[i].parameters) {
+            all[i][machines[i].slots[variable.index].name] = variable;
+        }
+    }
+    return all;
+}
+
 /// Now that all machines are compiled, the variables that nodes give values to have numbers.
-void resolve_params(Program& program, const std::vector<Program>& machines) {
+void resolve_params(Program& program, const Variables& variables) {
     for (const MachineNode& node : program.machine_nodes) {
         if (!node.machine) { continue; }  // reported before
-        const Program& machine = machines[node.machine.index];
+        const auto& known = variables[node.machine.index];
         for (std::uint32_t i = 0; i < node.param_count; ++i) {
             MachineParam& param = program.machine_params[node.first_param + i];
-            for (const SlotId variable : machine.parameters) {
-                if (machine.slots[variable.index].name == param.name) { param.variable = variable; }
+            if (const auto found = known.find(param.name); found != known.end()) {
+                param.variable = found->second;
             }
         }
     }
@@ -118,9 +135,10 @@ void InvokedMachines::compile() {
         if (builder.program.host != nullptr) { outermost_.program.host = builder.program.host; }
         programs.push_back(std::move(builder.program));
     }
-    resolve_params(outermost_.program, programs);
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-        resolve_params(programs[i], programs);
+    const Variables variables = variables_of(programs);
+    resolve_params(outermost_.program, variables);
+    for (Program& program : programs) {
+        resolve_params(program, variables);
     }
     outermost_.program.machines = std::move(programs);
 }

@@ -28,8 +28,9 @@ public:
     /// machine file, or a machine itself. None, without an error, if it is neither.
     MachineId source(std::string_view text, const ReadFile& from);
 
-    /// The names of the variables that whoever invokes a machine may set: its top-level <data>.
-    std::vector<std::string_view> variables(MachineId machine) const;
+    /// The names of the variables that whoever invokes a machine may set, its top-level <data>,
+    /// sorted.
+    const std::vector<std::string_view>& variables(MachineId machine);
 
     /// Compiles all of them into Program::machines of the outermost program.
     void compile();
@@ -39,6 +40,7 @@ private:
         const ReadFile* file;
         ElementId root;
         std::string name;  ///< of the file; empty: it stands inside one
+        std::optional<std::vector<std::string_view>> variables = {};  ///< once asked for
     };
 
     std::optional<Source> find(std::string_view path, const ReadFile& from) const;

@@ -1,6 +1,5 @@
 // Machines as nodes of trees: part of tree_compiler.h. The machines themselves are found and
-// compiled in invoked_machines.h. Covered by tests/load/compile_tree_test.cpp and
-// tests/exec/machine_node_test.cpp.
+// compiled in invoked_machines.h. Covered by tests/exec/machine_node_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "load/attribute_rule.h"
 #include "load/tree_compiler.h"
@@ -34,8 +33,8 @@ MachineParam TreeCompiler::machine_param(const Place& place, MachineId machine,
     const std::string_view name = document(place).string(attribute.name);
     const std::string_view value = document(place).string(attribute.value);
     if (machine) {
-        const std::vector<std::string_view> known = machines_.variables(machine);
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        const std::vector<std::string_view>& known = machines_.variables(machine);
+        if (!std::binary_search(known.begin(), known.end(), name)) {
             builder_.diagnostics().error("unknown-port", attribute.where,
                                          "this machine has no variable \"" + std::string(name) +
                                              '"' + suggestion(name, known));
