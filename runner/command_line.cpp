@@ -53,6 +53,16 @@ Execute prepare_trace(CLI::App& app) {
     };
 }
 
+/// trellis sweep SPEC, and trellis sweep merge.
+Execute prepare_sweep(CLI::App& app) {
+    CLI::App* merge = app.add_subcommand("merge", "put the parts of a sweep together");
+    merge->fallthrough();
+    return [merge, on_sweep = prepare<SweepArguments>(app),
+            on_merge = prepare<SweepMergeArguments>(*merge)](Streams& streams) {
+        return merge->parsed() ? on_merge(streams) : on_sweep(streams);
+    };
+}
+
 constexpr std::array commands{
     Command{
         "run", "drive the robot with a behaviour and say what happened",
@@ -87,6 +97,13 @@ constexpr std::array commands{
             "  trellis compare machines/roomba.scxml trees/roomba.xml\n"
             "  trellis compare before.xml after.xml --seeds 20 --time 600\n",
             prepare<CompareArguments>},
+    Command{"sweep", "run behaviours in worlds with many seeds and say what covers most",
+            "  trellis sweep sweeps/lab.json\n"
+            "  trellis sweep sweeps/lab.json --out rows.csv\n"
+            "  trellis sweep sweeps/lab.json --out rows.csv --resume\n"
+            "  trellis sweep sweeps/lab.json --out rows.csv --shard 1/3\n"
+            "  trellis sweep merge sweeps/lab.json rows.csv.*.runs --out rows.csv\n",
+            prepare_sweep},
     Command{"nodes", "list the nodes, leaves and sensors that files can name",
             "  trellis nodes\n"
             "  trellis nodes --xml > palette.xml            (Groot2 opens it)\n",
@@ -207,7 +224,10 @@ std::optional<Exit> CommandLine::check_commands(const std::vector<std::string>& 
     for (std::size_t i = 0;; ++i) {
         const std::vector<const CLI::App*> subs = app->get_subcommands({});
         if (subs.empty()) { return {}; }
-        if (i == words.size()) { return usage(streams, "which command?", *app); }
+        if (i == words.size()) {
+            if (app->get_require_subcommand_min() == 0) { return {}; }
+            return usage(streams, "which command?", *app);
+        }
         if (words[i].starts_with('-')) { return {}; }
         std::vector<std::string_view> names;
         const CLI::App* named = nullptr;
@@ -216,6 +236,8 @@ std::optional<Exit> CommandLine::check_commands(const std::vector<std::string>& 
             names.emplace_back(sub->get_name());
         }
         if (named == nullptr) {
+            // the first word may be an argument instead
+            if (app->get_require_subcommand_min() == 0) { return {}; }
             return usage(streams,
                          "there is no command \"" + words[i] + '"' + suggestion(words[i], names),
                          *app);

@@ -98,7 +98,7 @@ Exit execute(const NodesArguments& arguments, Streams& streams);
 
 /// trellis schema: the grammars as schemas.
 struct SchemaArguments {
-    std::string name;  ///< "tree-xsd", "machine-xsd", "tree-json", "machine-json" or "world-json"
+    std::string name;  ///< "tree-xsd", "machine-xsd", "tree-json", "world-json", …
 };
 void add_options(CLI::App& app, SchemaArguments& arguments);
 Exit execute(const SchemaArguments& arguments, Streams& streams);
@@ -148,5 +148,33 @@ struct TraceConvertArguments {
 void add_options(CLI::App& app, TraceConvertArguments& arguments);
 /// Yes if `out` was written; file if `in` cannot be read as a trace of events.
 Exit execute(const TraceConvertArguments& arguments, Streams& streams);
+
+/// Where the results of a sweep go.
+struct SweepOutput {
+    std::string out;  ///< rows: FILE.csv, FILE.jsonl, "-" for standard output; empty: none
+    Format format = Format::text;  ///< of the summary
+};
+
+/// trellis sweep: every run of a sweep file.
+struct SweepArguments {
+    std::string file;
+    SweepOutput output;
+    bool resume = false;
+    unsigned jobs = 0;  ///< threads; 0: as many as the machine runs at once
+    std::string shard;  ///< "i/n"; empty: what a Slurm job array says, else all
+};
+void add_options(CLI::App& app, SweepArguments& arguments);
+/// Yes; no if a file is invalid or a behaviour failed; file if what is done cannot be written.
+Exit execute(const SweepArguments& arguments, Streams& streams);
+
+/// trellis sweep merge: the parts of a sweep put together.
+struct SweepMergeArguments {
+    std::string file;
+    std::vector<std::string> parts;
+    SweepOutput output;
+};
+void add_options(CLI::App& app, SweepMergeArguments& arguments);
+/// As of sweep; no also if runs are missing.
+Exit execute(const SweepMergeArguments& arguments, Streams& streams);
 
 }  // namespace trellis

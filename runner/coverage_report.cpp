@@ -4,17 +4,14 @@
 
 #include "core/number.h"
 #include "runner/table.h"
+#include "sim/bridge/measured_run.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace trellis {
 
 namespace {
-
-/// Parts of the floor, in %, whose times are told.
-constexpr std::array<int, 5> milestones{50, 80, 90, 95, 99};
 
 /// The curve of coverage over time has so many steps.
 constexpr std::uint64_t steps = 10;
@@ -23,11 +20,8 @@ double seconds(const CoverageReport& report, std::uint64_t tick) {
     return static_cast<double>(tick) * report.dt;
 }
 
-/// How many times over the covered area was swept; 0 if nothing was.
 double overlap(const CoverageReport& report) {
-    const double area = report.coverage.area();
-    if (area == 0.0) { return 0.0; }
-    return report.tally.distance * 2.0 * report.coverage.floor().radius() / area;
+    return report.tally.driven.overlap(report.coverage.floor().radius(), report.coverage.area());
 }
 
 std::optional<std::uint64_t> reached(const CoverageReport& report, int percent) {
@@ -66,8 +60,8 @@ std::string coverage_text(const CoverageReport& report) {
     std::string out = "covered   " + percent(coverage.share()) + " of " + fixed(floor.area(), 3) +
                       " m², cells of " + print_number(floor.grid().cell) + " m\n";
     out += "swept     " + fixed(overlap(report), 2) + " times over, " +
-           std::to_string(report.tally.turns) + (report.tally.turns == 1 ? " turn" : " turns") +
-           " on the spot\n";
+           std::to_string(report.tally.driven.turns) +
+           (report.tally.driven.turns == 1 ? " turn" : " turns") + " on the spot\n";
     out += "gap       " + fixed(coverage.largest_gap(), 3) + " m², the largest\n\n";
     return out + milestone_table(report) + '\n' + curve_table(report);
 }
@@ -77,7 +71,7 @@ void add_coverage(JsonWriter& json, const CoverageReport& report) {
     json.begin_object("coverage").number("cell", coverage.floor().grid().cell);
     json.number("reachable", coverage.floor().area()).number("covered", coverage.area());
     json.number("share", coverage.share()).number("overlap", overlap(report));
-    json.count("turns", report.tally.turns).number("largest_gap", coverage.largest_gap());
+    json.count("turns", report.tally.driven.turns).number("largest_gap", coverage.largest_gap());
     json.begin_object("reached");
     for (const int part : milestones) {
         const std::optional<std::uint64_t> tick = reached(report, part);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runner/disk_files.h"
 
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -76,6 +77,44 @@ private:
     int error_ = 0;  // errno of the first failure
 };
 
+/// A locked file descriptor whose end is written to.
+class DiskGrowing : public GrowingFile {
+public:
+    explicit DiskGrowing(int file) : file_(file), size_(::lseek(file, 0, SEEK_END)) {}
+    ~DiskGrowing() override { ::close(file_); }
+    DiskGrowing(const DiskGrowing&) = delete;
+    DiskGrowing& operator=(const DiskGrowing&) = delete;
+
+    bool append(std::string_view record) override {
+        if (!write_all(file_, record)) {
+            error_ = errno;
+            // part of it may have been written: a record is whole or not there
+            return back_to(size_) && false;
+        }
+        size_ += static_cast<off_t>(record.size());
+        return true;
+    }
+
+    bool cut(std::size_t size) override { return back_to(static_cast<off_t>(size)); }
+
+    std::string why() const override { return std::strerror(error_); }
+
+private:
+    bool back_to(off_t size) {
+        const bool done = ::ftruncate(file_, size) == 0 && ::lseek(file_, size, SEEK_SET) == size;
+        if (done) {
+            size_ = size;
+        } else {
+            error_ = errno;
+        }
+        return done;
+    }
+
+    int file_;
+    off_t size_;
+    int error_ = 0;  // errno of the last failure
+};
+
 /// The rights that a new file gets: those of open(), which mkstemp() does not give.
 mode_t default_rights() {
     const mode_t mask = ::umask(0);
@@ -148,6 +187,20 @@ std::unique_ptr<OutputFile> DiskFiles::create(const std::string& path, std::stri
     std::unique_ptr<OutputFile> output = open_file(path);
     if (!output) { why = std::strerror(errno); }
     return output;
+}
+
+std::unique_ptr<GrowingFile> DiskFiles::grow(const std::string& path, std::string& why) {
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) != 0) {
+        why = errno == EWOULDBLOCK ? "another process is writing it" : std::strerror(errno);
+        if (file >= 0) { ::close(file); }
+        return nullptr;
+    }
+    return std::make_unique<DiskGrowing>(file);
+}
+
+void DiskFiles::remove(const std::string& path) {
+    ::unlink(path.c_str());
 }
 
 }  // namespace trellis

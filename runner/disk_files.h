@@ -14,6 +14,8 @@ public:
     std::optional<std::string> read(const std::string& path, std::size_t most,
                                     std::string& why) override;
     std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) override;
+    std::unique_ptr<GrowingFile> grow(const std::string& path, std::string& why) override;
+    void remove(const std::string& path) override;
 };
 
 }  // namespace trellis

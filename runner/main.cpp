@@ -63,6 +63,10 @@ trellis::Terminal terminal() {
             .clicolor_force = !force.empty() && force != "0"};
 }
 
+const char* environment(const char* name) {
+    return std::getenv(name);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,13 +77,16 @@ int main(int argc, char** argv) {
     std::ostream out(&output);
     trellis::DiskFiles files;
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+    const trellis::Terminal watched = terminal();
     const trellis::Exit exit = trellis::run_program(words,
                                                     {.in = std::cin,
                                                      .out = out,
                                                      .err = std::cerr,
                                                      .files = files,
-                                                     .prompt = ::isatty(STDIN_FILENO) != 0},
-                                                    terminal());
+                                                     .prompt = ::isatty(STDIN_FILENO) != 0,
+                                                     .progress = watched.is_terminal,
+                                                     .environment = environment},
+                                                    watched);
     out.flush();
     if (output.error() == 0) { return static_cast<int>(exit); }
     if (output.error() != EPIPE) {

@@ -80,8 +80,8 @@ std::string report_text(const RunReport& report) {
     out += fact("random", report.random);
     out += fact("start", pose_text(start.x, start.y, start.rotation));
     out += fact("end", pose_text(robot.x, robot.y, robot.rotation));
-    out += fact("driven", fixed(report.tally.distance, 3) + " m, " +
-                              counted(report.tally.bumps, "bump", "bumps"));
+    out += fact("driven", fixed(report.tally.driven.distance, 3) + " m, " +
+                              counted(report.tally.driven.bumps, "bump", "bumps"));
     if (!episode.program().is_machine()) {
         out += fact("root", "succeeded " + counted(report.tally.successes, "time", "times") +
                                 ", failed " + counted(report.tally.failures, "time", "times"));
@@ -107,7 +107,7 @@ std::string report_json(const RunReport& report) {
     json.text("random", report.random);
     add_pose(json, "start", start.x, start.y, start.rotation);
     add_pose(json, "end", robot.x, robot.y, robot.rotation);
-    json.number("distance", report.tally.distance).count("bumps", report.tally.bumps);
+    json.number("distance", report.tally.driven.distance).count("bumps", report.tally.driven.bumps);
     if (!episode.program().is_machine()) {
         json.count("successes", report.tally.successes).count("failures", report.tally.failures);
     }

@@ -5,6 +5,7 @@
 #include "load/schema_json.h"
 #include "load/schema_xsd.h"
 #include "runner/commands.h"
+#include "runner/sweep/spec.h"
 #include "sim/bridge/world_grammar.h"
 
 #include <CLI/CLI.hpp>
@@ -27,14 +28,15 @@ constexpr Schema schemas[] = {
     {"machine-xsd", [](const Registry&) { return xsd(machine_grammar()); }},
     {"tree-json", [](const Registry& registry) { return json_schema(tree_grammar(registry)); }},
     {"machine-json", [](const Registry&) { return json_schema(machine_grammar()); }},
-    {"world-json", [](const Registry&) { return world_schema(); }},
+    {"sweep-json", [](const Registry&) { return file_schema(sweep_grammar()); }},
+    {"world-json", [](const Registry&) { return file_schema(world_grammar()); }},
 };
 
 }  // namespace
 
 void add_options(CLI::App& app, SchemaArguments& arguments) {
     app.add_option("NAME", arguments.name,
-                   "tree-xsd, machine-xsd, tree-json, machine-json or world-json")
+                   "tree-xsd, machine-xsd, tree-json, machine-json, world-json or sweep-json")
         ->required();
 }
 

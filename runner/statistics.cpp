@@ -22,11 +22,11 @@ double entries(const Contestant& contestant, LabelId label) {
 }
 
 double bumps(const Contestant& contestant, LabelId) {
-    return static_cast<double>(contestant.tally().bumps);
+    return static_cast<double>(contestant.tally().driven.bumps);
 }
 
 double distance(const Contestant& contestant, LabelId) {
-    return contestant.tally().distance;
+    return contestant.tally().driven.distance;
 }
 
 Statistic over(const std::vector<Match>& matches, Measure measure, LabelId a, LabelId b) {

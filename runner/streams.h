@@ -34,6 +34,18 @@ public:
     virtual std::string why() const = 0;
 };
 
+/// A file that grows by whole records, which others see at once and a killed process leaves behind.
+/// Nobody else can have it open in this way.
+class GrowingFile {
+public:
+    virtual ~GrowingFile() = default;
+    /// Adds `record`, or nothing at all: then false, and why() says why.
+    virtual bool append(std::string_view record) = 0;
+    /// Keeps only the first `size` bytes.
+    virtual bool cut(std::size_t size) = 0;
+    virtual std::string why() const = 0;
+};
+
 /// Where files come from and go to.
 class Files {
 public:
@@ -44,6 +56,10 @@ public:
                                             std::string& why) = 0;
     /// A new file; null, and the reason in `why`, if it cannot be made.
     virtual std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) = 0;
+    /// A file to add to, new if there is none; null, and the reason in `why`, if it cannot be
+    /// opened or somebody else has it open.
+    virtual std::unique_ptr<GrowingFile> grow(const std::string& path, std::string& why) = 0;
+    virtual void remove(const std::string& path) = 0;
 };
 
 struct Streams {
@@ -51,8 +67,11 @@ struct Streams {
     std::ostream& out;  ///< the result and nothing else
     std::ostream& err;  ///< messages
     Files& files;
-    bool colour = false;  ///< of messages
-    bool prompt = false;  ///< someone types standard input
+    bool colour = false;    ///< of messages
+    bool prompt = false;    ///< someone types standard input
+    bool progress = false;  ///< someone watches standard error: a terminal
+    /// The value of an environment variable, or null; none are set where it is null itself.
+    const char* (*environment)(const char* name) = nullptr;
 };
 
 /// The content of the file, or of standard input for "-"; none after a message.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runner/table.h"
 
+#include "core/number.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -25,6 +27,12 @@ std::string fixed(double value, int digits) {
     if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') {
         text.erase(0, 1);
     }
+    return text;
+}
+
+std::string brief(double value) {
+    std::string text = print_number(value);
+    if (text.ends_with(".0")) { text.resize(text.size() - 2); }
     return text;
 }
 

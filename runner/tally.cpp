@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "runner/tally.h"
 
-#include <cmath>
-
 namespace trellis {
 
 void Tally::on(const TraceEvent& event) {
@@ -14,11 +12,7 @@ void Tally::on(const TraceEvent& event) {
 
 void Tally::tick(const Episode& episode) {
     if (const LabelId label = labels_->of(labels_->row(episode.state()))) { ++ticks[label.index]; }
-    const bool turning = episode.robot().v == 0.0 && episode.robot().w != 0.0;
-    turns += turning && !turning_ ? 1 : 0;
-    turning_ = turning;
-    bumps += episode.robot().bumper ? 1 : 0;
-    distance += std::fabs(episode.robot().v) * episode.setup().dt;
+    driven.add(episode.robot(), episode.setup().dt);
     successes += episode.status() == Status::success ? 1 : 0;
     failures += episode.status() == Status::failure ? 1 : 0;
 }

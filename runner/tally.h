@@ -6,6 +6,7 @@
 #include "core/trace.h"
 #include "runner/labels.h"
 #include "sim/bridge/episode.h"
+#include "sim/odometer.h"
 
 #include <cstdint>
 #include <vector>
@@ -24,14 +25,11 @@ public:
 
 private:
     const Labels* labels_;
-    bool turning_ = false;  // on the spot, in the last tick
 
 public:
     std::vector<std::uint64_t> entered;  ///< by label: how often it began
     std::vector<std::uint64_t> ticks;    ///< by label: ticks at whose end the run was at it
-    std::uint64_t turns = 0;             ///< how often it began to turn on the spot
-    std::uint64_t bumps = 0;             ///< ticks in which the bumper was pressed
-    double distance = 0.0;               ///< m, driven by the wheels
+    Odometer driven;                     ///< turns, bumps, distance
     std::uint64_t successes = 0;         ///< ticks in which the root succeeded
     std::uint64_t failures = 0;          ///< ticks in which the root failed
 };

@@ -126,9 +126,12 @@ double Coverage::share() const {
 
 double Coverage::share_at(std::uint64_t tick) const {
     if (floor_->reachable_count() == 0) return 0.0;
+    return static_cast<double>(count_at(tick)) / static_cast<double>(floor_->reachable_count());
+}
+
+std::size_t Coverage::count_at(std::uint64_t tick) const {
     const auto later = std::upper_bound(covered_at_.begin(), covered_at_.end(), tick);
-    return static_cast<double>(later - covered_at_.begin()) /
-           static_cast<double>(floor_->reachable_count());
+    return static_cast<std::size_t>(later - covered_at_.begin());
 }
 
 std::optional<std::uint64_t> Coverage::tick_of(double share) const {
@@ -139,6 +142,11 @@ std::optional<std::uint64_t> Coverage::tick_of(double share) const {
 }
 
 double Coverage::largest_gap() const {
+    const double cell = floor_->grid().cell;
+    return static_cast<double>(largest_gap_count()) * cell * cell;
+}
+
+std::size_t Coverage::largest_gap_count() const {
     const CellGrid& grid = floor_->grid();
     CellSet rest = open_;
     std::size_t largest = 0;
@@ -163,7 +171,7 @@ double Coverage::largest_gap() const {
             largest = std::max(largest, found.size());
         }
     }
-    return static_cast<double>(largest) * grid.cell * grid.cell;
+    return largest;
 }
 
 }  // namespace trellis

@@ -41,13 +41,16 @@ public:
     double area() const;
     /// Covered part of the reachable area, from 0 to 1; 0 where nothing can be reached.
     double share() const;
-    /// The part that was covered at the end of that tick.
+    /// The part that was covered at the end of that tick, and its number of cells.
     double share_at(std::uint64_t tick) const;
+    std::size_t count_at(std::uint64_t tick) const;
     /// The tick in which that part, from 0 to 1, was covered; none if it never was.
     std::optional<std::uint64_t> tick_of(double share) const;
     /// The largest piece of reachable floor in one piece that is not covered, m². Cells belong
     /// together when they share a side.
     double largest_gap() const;
+    /// Its number of cells.
+    std::size_t largest_gap_count() const;
 
 private:
     struct Place {

@@ -16,7 +16,7 @@
 namespace trellis {
 namespace {
 
-/// Takes values out of a file that check_world() has accepted.
+/// Takes values out of a file that check_file() has accepted.
 class Reader {
 public:
     explicit Reader(const JsonTree& json) : json_(json) {}
@@ -57,12 +57,7 @@ public:
 
     /// The values of a list of the file; none if it does not have the list.
     std::vector<JsonId> list(std::string_view name) const {
-        std::vector<JsonId> values;
-        if (const JsonId array = json_.member(json_.root(), name)) {
-            for (const JsonId value : json_.children(array))
-                values.push_back(value);
-        }
-        return values;
+        return list_in(json_, json_.root(), name);
     }
 
     /// Where the corner of that number stands in the file.
@@ -76,13 +71,11 @@ public:
 
 private:
     std::string text(JsonId object, std::string_view key) const {
-        const JsonId value = json_.member(object, key);
-        return value ? std::string(json_.text(value)) : std::string();
+        return text_in(json_, object, key);
     }
 
     double number(JsonId object, std::string_view key, double otherwise) const {
-        const JsonId value = json_.member(object, key);
-        return value ? parse_whole_number(json_.text(value)).value : otherwise;
+        return number_in(json_, object, key, otherwise);
     }
 
     Point place(JsonId object) const {
@@ -216,7 +209,7 @@ std::optional<World> read_world(std::string_view text, std::uint32_t file,
     const std::size_t before = diagnostics.errors();
     const std::optional<JsonTree> json = parse_json(text, file, diagnostics);
     if (!json) return {};
-    check_world(*json, diagnostics);
+    check_file(*json, world_grammar(), diagnostics);
     if (diagnostics.errors() != before) return {};
 
     World world = Reader(*json).world();

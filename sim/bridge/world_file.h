@@ -15,7 +15,7 @@ namespace trellis {
 /// The world that `text` describes; none after errors. `file` is the text's index in `diagnostics`.
 /// Warnings, such as a room that the robot cannot reach, do not keep it from being returned.
 ///
-/// Errors, besides those of parse_json() and check_world(): "world-outline" (an outline crosses
+/// Errors, besides those of parse_json() and check_file(): "world-outline" (an outline crosses
 /// itself or a room's corner repeats), "world-door" (a door lies on no wall), "world-start" (the
 /// robot does not fit there). Warnings: "world-unreachable" (a room, dirt or the dock).
 std::optional<World> read_world(std::string_view text, std::uint32_t file,

@@ -30,6 +30,27 @@ private:
     std::string text_;
 };
 
+class MemoryGrowing : public GrowingFile {
+public:
+    MemoryGrowing(MemoryFiles& files, std::string path) : files_(files), path_(std::move(path)) {}
+    bool append(std::string_view record) override {
+        std::string& text = files_.content[path_];
+        const bool fits =
+            files_.full.count(path_) == 0 || text.size() + record.size() <= files_.room;
+        if (fits) { text += record; }
+        return fits;
+    }
+    bool cut(std::size_t size) override {
+        files_.content[path_].resize(size);
+        return true;
+    }
+    std::string why() const override { return "No space left on device"; }
+
+private:
+    MemoryFiles& files_;
+    std::string path_;
+};
+
 }  // namespace
 
 std::optional<std::string> MemoryFiles::read(const std::string& path, std::size_t most,
@@ -45,6 +66,13 @@ std::unique_ptr<OutputFile> MemoryFiles::create(const std::string& path, std::st
     why = "Permission denied";
     if (refused.count(path) != 0) { return nullptr; }
     return std::make_unique<MemoryOutput>(*this, path);
+}
+
+std::unique_ptr<GrowingFile> MemoryFiles::grow(const std::string& path, std::string& why) {
+    why = "Permission denied";
+    if (refused.count(path) != 0) { return nullptr; }
+    content.try_emplace(path);
+    return std::make_unique<MemoryGrowing>(*this, path);
 }
 
 Ran run_words(Files& files, const std::vector<std::string>& words, const std::string& in,

@@ -13,16 +13,20 @@
 namespace trellis::test {
 
 /// Files in memory. Paths in `refused` exist but can be neither read nor written; writing to a path
-/// in `full` fails when it is committed.
+/// in `full` fails when it is committed, and adding to it when it would have more than `room`
+/// bytes.
 class MemoryFiles : public Files {
 public:
     std::map<std::string, std::string> content;
     std::set<std::string> refused;
     std::set<std::string> full;
+    std::size_t room = 0;
 
     std::optional<std::string> read(const std::string& path, std::size_t most,
                                     std::string& why) override;
     std::unique_ptr<OutputFile> create(const std::string& path, std::string& why) override;
+    std::unique_ptr<GrowingFile> grow(const std::string& path, std::string& why) override;
+    void remove(const std::string& path) override { content.erase(path); }
 };
 
 /// What a command did.

@@ -30,6 +30,10 @@ public:
     std::unique_ptr<OutputFile> create(const std::string&, std::string&) override {
         throw std::bad_alloc();
     }
+    std::unique_ptr<GrowingFile> grow(const std::string&, std::string&) override {
+        throw std::bad_alloc();
+    }
+    void remove(const std::string&) override {}
 };
 
 }  // namespace
@@ -41,7 +45,7 @@ TEST_CASE("command line: version and help are results") {
     CHECK(help.exit == Exit::yes);
     CHECK(help.err == "");
     for (const char* command :
-         {"run", "validate", "convert", "show", "compare", "nodes", "schema", "trace"}) {
+         {"run", "validate", "convert", "show", "compare", "sweep", "nodes", "schema", "trace"}) {
         CHECK(help.out.find(std::string("\n  ") + command) != std::string::npos);
         const Ran more = run_words(files, {command, "--help"});
         CHECK(more.exit == Exit::yes);

@@ -88,6 +88,10 @@ TEST_CASE("hostile files: includes end, even if each file includes two others wi
         std::unique_ptr<OutputFile> create(const std::string&, std::string&) override {
             return nullptr;
         }
+        std::unique_ptr<GrowingFile> grow(const std::string&, std::string&) override {
+            return nullptr;
+        }
+        void remove(const std::string&) override {}
     };
     Folders files;
     const Ran ran = run_words(files, {"validate", "f"});

@@ -1,42 +1,15 @@
 // The real program: exit codes, pipes, the environment, and the lab's recorded runs byte for byte.
 // SPDX-License-Identifier: MIT
 #include "runner/command.h"
+#include "runner/shell.h"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
 using namespace trellis::test;
-
-namespace {
-
-struct Shell {
-    int exit = -1;
-    std::string out;
-};
-
-/// Runs a shell command in the repository's root, with $trellis as the program.
-Shell shell(const std::string& command) {
-    const std::string line =
-        "cd '" + from_root("") + "' && trellis='" TRELLIS_PROGRAM "' && " + command;
-    Shell result;
-    FILE* pipe = popen(line.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::array<char, 4096> buffer{};
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-        result.out.append(buffer.data(), n);
-    }
-    const int status = pclose(pipe);
-    result.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-    return result;
-}
-
-}  // namespace
 
 TEST_CASE("program: exit codes") {
     CHECK(shell("$trellis validate trees/roomba.xml").exit == 0);

@@ -15,6 +15,7 @@ TEST_CASE("schema: what is printed is what is checked in") {
           {"machine-xsd", "schemas/trellis_machine.xsd"},
           {"tree-json", "schemas/trellis_tree.schema.json"},
           {"machine-json", "schemas/trellis_machine.schema.json"},
+          {"sweep-json", "schemas/trellis_sweep.schema.json"},
           {"world-json", "schemas/trellis_world.schema.json"}}) {
         INFO(std::string(schema.first));
         const Ran ran = run_words(files, {"schema", schema.first});

@@ -18,3 +18,9 @@ TEST_CASE("table: the first column to the left, the others to the right") {
                                                                            "é     10\n"
                                                                            "       1  long\n");
 }
+
+TEST_CASE("table: numbers without a point that says nothing") {
+    CHECK(brief(60.0) == "60");
+    CHECK(brief(0.1) == "0.1");
+    CHECK(brief(-2.0) == "-2");
+}

@@ -38,8 +38,8 @@ TEST_CASE("tally: entries, ticks, distance and results of a tree of one leaf") {
     CHECK(tally.ticks == std::vector<std::uint64_t>{10});
     CHECK(tally.successes == 2);
     CHECK(tally.failures == 0);
-    CHECK(tally.bumps == 0);
-    CHECK(tally.distance == doctest::Approx(10 * 0.5 / 60.0));
+    CHECK(tally.driven.bumps == 0);
+    CHECK(tally.driven.distance == doctest::Approx(10 * 0.5 / 60.0));
 }
 
 TEST_CASE("tally: a tick with the bumper pressed is a bump") {
@@ -56,6 +56,6 @@ TEST_CASE("tally: a tick with the bumper pressed is a bump") {
         episode.tick();
         tally.tick(episode);
     }
-    CHECK(tally.bumps == 3);
+    CHECK(tally.driven.bumps == 3);
     CHECK(tally.failures == 3);
 }

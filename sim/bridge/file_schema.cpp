@@ -1,28 +1,32 @@
-// World files as JSON Schema: a definition for each object of the table.
+// A kind of file as JSON Schema: a definition for each object of the table.
 // SPDX-License-Identifier: MIT
-#include "sim/bridge/world_grammar.h"
+#include "sim/bridge/file_grammar.h"
+
+#include <algorithm>
 
 namespace trellis {
 namespace {
 
-using Kind = WorldMember::Kind;
-using Limit = WorldMember::Limit;
+using Kind = FileMember::Kind;
+using Limit = FileMember::Limit;
 
 /// Writes schemas into one JSON value.
 class SchemaWriter {
 public:
+    explicit SchemaWriter(const FileGrammar& grammar) : grammar_(grammar) {}
+
     std::string write() {
         const JsonId root = open({}, "", JsonValue::Kind::object);
         text(root, "$schema", "http://json-schema.org/draft-07/schema#");
-        text(root, "title", "Trellis world file");
-        text(root, "$ref", "#/definitions/world");
+        text(root, "title", grammar_.title);
+        text(root, "$ref", reference(1));
         const JsonId definitions = open(root, "definitions", JsonValue::Kind::object);
-        WorldObject last = WorldObject::none;
-        for (const WorldMember& member : world_members()) {
+        std::uint8_t last = 0;
+        for (const FileMember& member : grammar_.members) {
             if (member.object != last) definition(definitions, member);
             last = member.object;
         }
-        point(definitions);
+        if (uses(Kind::point) || uses(Kind::points)) point(definitions);
         json_.close(definitions);
         json_.close(root);
         return print_json(json_);
@@ -30,15 +34,16 @@ public:
 
 private:
     /// The object to which a member, its first, belongs.
-    void definition(JsonId definitions, const WorldMember& first) {
-        const JsonId schema = open(definitions, name(first.object), JsonValue::Kind::object);
+    void definition(JsonId definitions, const FileMember& first) {
+        const JsonId schema =
+            open(definitions, grammar_.objects[first.object].name, JsonValue::Kind::object);
         text(schema, "type", "object");
         const JsonId properties = open(schema, "properties", JsonValue::Kind::object);
         const JsonId doc = open(properties, "doc", JsonValue::Kind::object);
         text(doc, "type", "string");
         text(doc, "description", "a comment");
         json_.close(doc);
-        for (const WorldMember& member : world_members()) {
+        for (const FileMember& member : grammar_.members) {
             if (member.object == first.object) property(properties, member);
         }
         json_.close(properties);
@@ -47,29 +52,38 @@ private:
         json_.close(patterns);
         json_.add(schema, "additionalProperties", JsonValue::Kind::boolean, "false");
         const JsonId required = open(schema, "required", JsonValue::Kind::array);
-        for (const WorldMember& member : world_members()) {
-            if (member.object == first.object && member.need == WorldMember::Need::needed)
+        for (const FileMember& member : grammar_.members) {
+            if (member.object == first.object && member.need == FileMember::Need::needed)
                 json_.add(required, "", JsonValue::Kind::string, member.name);
         }
         json_.close(required);
         json_.close(schema);
     }
 
-    void property(JsonId properties, const WorldMember& member) {
+    void property(JsonId properties, const FileMember& member) {
         const JsonId schema = open(properties, member.name, JsonValue::Kind::object);
         text(schema, "description", member.doc);
         switch (member.kind) {
         case Kind::text: text(schema, "type", "string"); break;
         case Kind::number:
-            text(schema, "type", "number");
+        case Kind::whole:
+            text(schema, "type", member.kind == Kind::whole ? "integer" : "number");
             limit(schema, member.limit);
             break;
-        case Kind::point: reference_in_all_of(schema, "point"); break;
-        case Kind::points: list(schema, "point", 3); break;
-        case Kind::object: reference_in_all_of(schema, name(member.of)); break;
-        case Kind::list:
-            list(schema, name(member.of), member.need == WorldMember::Need::needed ? 1 : 0);
+        case Kind::point: reference_in_all_of(schema, "#/definitions/point"); break;
+        case Kind::object: reference_in_all_of(schema, reference(member.of)); break;
+        case Kind::settings: {
+            text(schema, "type", "object");
+            const JsonId values = open(schema, "additionalProperties", JsonValue::Kind::object);
+            scalar(values);
+            json_.close(values);
             break;
+        }
+        case Kind::points:
+        case Kind::texts:
+        case Kind::numbers:
+        case Kind::scalars:
+        case Kind::list: list(schema, member); break;
         }
         json_.close(schema);
     }
@@ -93,6 +107,10 @@ private:
             number(schema, "minimum", "0");
             number(schema, "maximum", "1");
             break;
+        case Limit::cell:
+            number(schema, "minimum", "0.005");
+            number(schema, "maximum", "1");
+            break;
         }
     }
 
@@ -108,34 +126,49 @@ private:
         json_.close(schema);
     }
 
-    void list(JsonId schema, std::string_view definition, int least) {
+    void list(JsonId schema, const FileMember& member) {
         text(schema, "type", "array");
         const JsonId items = open(schema, "items", JsonValue::Kind::object);
-        text(items, "$ref", "#/definitions/" + std::string(definition));
+        if (member.kind == Kind::list) text(items, "$ref", reference(member.of));
+        if (member.kind == Kind::points) text(items, "$ref", "#/definitions/point");
+        if (member.kind == Kind::texts) text(items, "type", "string");
+        if (member.kind == Kind::scalars) scalar(items);
+        if (member.kind == Kind::numbers) {
+            text(items, "type", "number");
+            limit(items, member.limit);
+        }
         json_.close(items);
-        if (least > 0) number(schema, "minItems", std::to_string(least));
+        const bool needed = member.need == FileMember::Need::needed;
+        if (member.kind == Kind::points)
+            number(schema, "minItems", "3");
+        else if (needed)
+            number(schema, "minItems", "1");
+    }
+
+    void scalar(JsonId schema) {
+        const JsonId types = open(schema, "type", JsonValue::Kind::array);
+        for (const std::string_view type : {"number", "string", "boolean"})
+            json_.add(types, "", JsonValue::Kind::string, type);
+        json_.close(types);
     }
 
     /// Beside a "$ref", draft 7 reads nothing, not even a description: it gets an object of its
     /// own.
-    void reference_in_all_of(JsonId schema, std::string_view definition) {
+    void reference_in_all_of(JsonId schema, std::string_view target) {
         const JsonId all = open(schema, "allOf", JsonValue::Kind::array);
         const JsonId reference = open(all, "", JsonValue::Kind::object);
-        text(reference, "$ref", "#/definitions/" + std::string(definition));
+        text(reference, "$ref", target);
         json_.close(reference);
         json_.close(all);
     }
 
-    static std::string_view name(WorldObject object) {
-        switch (object) {
-        case WorldObject::none: break;
-#define OBJECT(name, article)                                                                      \
-    case WorldObject::name:                                                                        \
-        return #name;
-#define MEMBER(object, name, kind, of, need, limit, doc)
-#include "sim/bridge/world_grammar.def"
-        }
-        return "";
+    bool uses(Kind kind) const {
+        return std::any_of(grammar_.members.begin(), grammar_.members.end(),
+                           [&](const FileMember& member) { return member.kind == kind; });
+    }
+
+    std::string reference(std::uint8_t object) const {
+        return "#/definitions/" + std::string(grammar_.objects[object].name);
     }
 
     JsonId open(JsonId parent, std::string_view key, JsonValue::Kind kind) {
@@ -148,13 +181,14 @@ private:
         json_.add(object, key, JsonValue::Kind::number, value);
     }
 
+    const FileGrammar& grammar_;
     JsonTree json_;
 };
 
 }  // namespace
 
-std::string world_schema() {
-    return SchemaWriter().write();
+std::string file_schema(const FileGrammar& grammar) {
+    return SchemaWriter(grammar).write();
 }
 
 }  // namespace trellis
