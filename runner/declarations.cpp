@@ -50,8 +50,6 @@ LeafType declared_leaf(const Document& document, ElementId model) {
         port.present = leaf.size + static_cast<std::uint32_t>(offsetof(PortSpace, present));
         leaf.size += static_cast<std::uint32_t>(sizeof(PortSpace));
     }
-    // structs of different leaves lie at different places
-    leaf.size = std::max(leaf.size, 1U);
     return leaf;
 }
 

@@ -5,7 +5,6 @@
 #include "load/diagnostics.h"
 #include "runner/declarations.h"
 
-#include <algorithm>
 #include <set>
 #include <type_traits>
 
@@ -23,10 +22,9 @@ Mocks::Mocks(Program program, bool all)
     : program_(std::move(program)), letters_(program_.rows.size()) {
     for (RowId n{0}; n.index < program_.rows.size(); ++n.index) {
         if (!is_leaf_call(program_.at(n))) { continue; }
-        rows_.emplace_back(program_.call(n).offset, n);
+        leaves_.push_back(n);
         if (all || is_declared(*program_.call(n).type)) { make_mock(n); }
     }
-    std::sort(rows_.begin(), rows_.end());
 }
 
 // A copy of the type with the same layout, so that states of the program stay what they are.
@@ -45,7 +43,7 @@ std::string Mocks::tell(std::string_view name, std::string_view letters) {
     }
     std::vector<RowId> found;
     std::vector<std::string_view> known;
-    for (const auto& [offset, n] : rows_) {
+    for (const RowId n : leaves_) {
         const std::string_view id = program_.call(n).type->name;
         known.insert(known.end(), {id, program_.name(n)});
         if (id == name || program_.name(n) == name) { found.push_back(n); }
@@ -68,24 +66,17 @@ std::string Mocks::tell(std::string_view name, std::string_view letters) {
 
 std::vector<std::string> Mocks::untold() const {
     std::set<std::string> names;
-    for (const auto& [offset, n] : rows_) {
+    for (const RowId n : leaves_) {
         const LeafType& type = *program_.call(n).type;
         if (type.tick == &Mocks::tick && letters_[n.index].empty()) { names.insert(type.name); }
     }
     return {names.begin(), names.end()};
 }
 
-RowId Mocks::row_at(std::size_t offset) const {
-    const auto after = std::upper_bound(
-        rows_.begin(), rows_.end(), offset,
-        [](std::size_t at, const std::pair<std::uint32_t, RowId>& row) { return at < row.first; });
-    return std::prev(after)->second;
-}
-
-Status Mocks::tick(std::byte* self, void* object, const Tick&) {
+Status Mocks::tick(std::byte*, void* object, const Tick&) {
     static_assert(std::is_standard_layout_v<Host>, "leaves are given the address of its robot");
     const Host& host = *static_cast<const Host*>(object);
-    const RowId n = host.mocks->row_at(static_cast<std::size_t>(self - host.leaves));
+    const RowId n = *host.leaf;
     const std::string& letters = host.mocks->letters_[n.index];
     if (letters.empty()) {
         const bool at_once = host.mocks->program_.call(n).type->synchronous;

@@ -7,12 +7,10 @@
 #include "core/program.h"
 #include "sim/roomba.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace trellis {
@@ -45,18 +43,17 @@ public:
         Roomba robot;  // first, so that leaves of the Roomba find it
         const Mocks* mocks;
         MockCalls* calls;
-        const std::byte* leaves;  ///< State::leaves
+        const RowId* leaf;  ///< State::last_leaf: the one that is being ticked
     };
 
 private:
     static Status tick(std::byte* self, void* host, const Tick& tick);
     void make_mock(RowId n);
-    RowId row_at(std::size_t offset) const;
 
     Program program_;
-    std::deque<LeafType> types_;                         // a deque: LeafCall points into it
-    std::vector<std::pair<std::uint32_t, RowId>> rows_;  // of leaves, by where their structs lie
-    std::vector<std::string> letters_;                   // by row; empty: none
+    std::deque<LeafType> types_;        // a deque: LeafCall points into it
+    std::vector<RowId> leaves_;         // all of them
+    std::vector<std::string> letters_;  // by row; empty: none
 };
 
 }  // namespace trellis

@@ -95,7 +95,7 @@ void Trial::reset() {
 
 template <class Act>
 void Trial::with_host(Act act) {
-    Mocks::Host host{now_.robot, &mocks_, &now_.calls, now_.state.leaves.data()};
+    Mocks::Host host{now_.robot, &mocks_, &now_.calls, &now_.state.last_leaf};
     act(HostRef(host.robot));
     now_.robot = host.robot;
 }

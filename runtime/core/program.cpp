@@ -309,20 +309,20 @@ bool operator==(const Program& a, const Program& b) {
            a.quiet_states == b.quiet_states && a.quiet_sensors == b.quiet_sensors &&
            a.quiet_times == b.quiet_times && a.quiet_inputs == b.quiet_inputs &&
            a.bound_outputs == b.bound_outputs && a.prototypes == b.prototypes &&
-           a.ports == b.ports && a.nodes == b.nodes && a.tests == b.tests && a.words == b.words &&
-           a.queues == b.queues && a.counts_writes == b.counts_writes &&
-           a.conditions == b.conditions && a.states == b.states && a.transitions == b.transitions &&
-           a.targets == b.targets && a.events == b.events && a.descriptors == b.descriptors &&
-           a.actions == b.actions && a.blocks == b.blocks && a.labels == b.labels &&
-           a.invokes == b.invokes && a.params == b.params && a.tick_event == b.tick_event &&
-           a.error_event == b.error_event && a.event_slot == b.event_slot &&
-           a.has_eventless == b.has_eventless && a.host == b.host && a.histories == b.histories &&
-           a.has_messages == b.has_messages && a.payloads == b.payloads &&
-           a.payload_items == b.payload_items && a.sends == b.sends && a.loops == b.loops &&
-           a.parameters == b.parameters && a.machine_nodes == b.machine_nodes &&
-           a.machine_params == b.machine_params && a.session_slot == b.session_slot &&
-           a.processors_slot == b.processors_slot && a.machines == b.machines &&
-           a.sources == b.sources;
+           a.leaf_bytes == b.leaf_bytes && a.ports == b.ports && a.nodes == b.nodes &&
+           a.tests == b.tests && a.words == b.words && a.queues == b.queues &&
+           a.counts_writes == b.counts_writes && a.conditions == b.conditions &&
+           a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&
+           a.events == b.events && a.descriptors == b.descriptors && a.actions == b.actions &&
+           a.blocks == b.blocks && a.labels == b.labels && a.invokes == b.invokes &&
+           a.params == b.params && a.tick_event == b.tick_event && a.error_event == b.error_event &&
+           a.event_slot == b.event_slot && a.has_eventless == b.has_eventless && a.host == b.host &&
+           a.histories == b.histories && a.has_messages == b.has_messages &&
+           a.payloads == b.payloads && a.payload_items == b.payload_items && a.sends == b.sends &&
+           a.loops == b.loops && a.parameters == b.parameters &&
+           a.machine_nodes == b.machine_nodes && a.machine_params == b.machine_params &&
+           a.session_slot == b.session_slot && a.processors_slot == b.processors_slot &&
+           a.machines == b.machines && a.sources == b.sources;
 }
 
 std::string dump(const Program& program) {

@@ -152,11 +152,13 @@ struct BoundOutput {
     friend bool operator==(const BoundOutput&, const BoundOutput&) = default;
 };
 
-/// A leaf as used at one place. Its struct lives at `offset` of State::leaves, and a copy of how it
-/// is on entry (literal inputs filled in) at the same offset of Program::prototypes.
+/// A leaf as used at one place. Its struct lives at `offset` of State::leaves, from its first tick
+/// to its last: what never runs at the same time shares bytes. How it is on entry (literal inputs
+/// filled in) stands at `prototype` of Program::prototypes.
 struct LeafCall {
     const LeafType* type = nullptr;  ///< owned by the registry, which must outlive the program
     std::uint32_t offset = 0;        ///< bytes
+    std::uint32_t prototype = 0;     ///< bytes
     std::uint32_t fresh_size = 0;    ///< bytes that are fresh on entry; 0: it has no members
     std::uint32_t first_input = 0;   ///< Program::live_inputs
     std::uint32_t first_output = 0;  ///< Program::bound_outputs
@@ -213,7 +215,8 @@ struct Program {
     std::vector<Formula> formulas;
     std::vector<FormulaStep> formula_steps;
     std::vector<BoundOutput> bound_outputs;
-    std::vector<std::byte> prototypes;  ///< leaf structs as they are on entry, back to back
+    std::vector<std::byte> prototypes;  ///< leaf structs as they are on entry, each kept once
+    std::uint32_t leaf_bytes = 0;       ///< how large State::leaves is
     /// Inputs of built-in nodes: Row::arg of those with one only (repeat, retry, scripts).
     std::vector<CodeId> ports;
     std::vector<NodeInfo> nodes;          ///< Row::arg of built-in nodes with more

@@ -13,6 +13,7 @@
 #include "exec/forms.h"
 #include "exec/step.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -245,6 +246,15 @@ private:
         keep(n, status);
         return status;
     }
+    /// Ticks the leaves from `child` on that are entered now and need nothing but their call, as
+    /// long as they return `go_on`. Gives the first child that is not one of them; `status` is what
+    /// that has returned, still `go_on` if it was not ticked.
+    template <Status go_on>
+    RowId tick_leaves(RowId child, RowId last, Status& status);
+    /// Makes leaves idle that have completed: the rows [begin, end) that tick_leaves() went over.
+    void reset_leaves(RowId begin, RowId end) {
+        std::fill(status_ + begin.index, status_ + end.index, Status::idle);
+    }
     /// Ticks what runs at `n` and was running: the same as tick(n), without the detour for leaves.
     Status tick_again(RowId n) {
         const Row& row = rows_[n.index];
@@ -257,7 +267,7 @@ private:
     /// Makes the struct of a leaf what it is on entry.
     void refresh(const LeafCall& leaf, std::byte* self) const {
         if (leaf.fresh_size == 0) { return; }
-        std::memcpy(self, p_.prototypes.data() + leaf.offset, leaf.fresh_size);
+        std::memcpy(self, p_.prototypes.data() + leaf.prototype, leaf.fresh_size);
     }
     [[gnu::always_inline]] Status call(RowId n, const LeafCall& leaf, std::byte* self) {
         if (leaf.input_count != 0 && !read_inputs(n, leaf, self)) { return Status::idle; }

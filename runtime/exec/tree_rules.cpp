@@ -68,6 +68,35 @@ Status Stepper::dispatch(RowId n, const Row& row) {
     return fault(Fault::Kind::leaf_status, n, "a state cannot be ticked");
 }
 
+// Nobody may watch, and the budget must suffice.
+template <Status go_on>
+RowId Stepper::tick_leaves(RowId child, RowId last, Status& status) {
+    if (trace_ != nullptr || budget_ <= last.index - child.index) { return child; }
+    const RowId first = child;
+    for (; child != last; ++child.index) {
+        const Row& row = rows_[child.index];
+        const bool leaf = row.op == Op::action || row.op == Op::condition;
+        if (!leaf || row.conditional || status_[child.index] != Status::idle) { break; }
+        const LeafCall& call = p_.calls[row.arg];
+        if (call.input_count != 0 || call.output_count != 0) { break; }
+        std::byte* const self = s_.leaves.data() + call.offset;
+        refresh(call, self);
+        s_.last_leaf = child;
+        status = call.type->tick(self, host_, tick_);
+        if (status != go_on) {
+            if (status == Status::idle) { returned_idle(child, call); }
+            if (status == Status::running && row.op == Op::condition) {
+                status = did_not_answer(child, call);
+            }
+            keep(child, status);
+            break;
+        }
+        status_[child.index] = go_on;
+    }
+    budget_ -= child.index - first.index;
+    return child;
+}
+
 // Sequence and Fallback: tick children in order until one returns `stop`, resume at the running
 // one. A tick of children that were all skipped is skipped. The others of their kind yield after
 // each child that completes in the tick it began, or begin again where they stopped.
@@ -88,9 +117,18 @@ Status Stepper::tick_in_order(RowId n, const Row& row) {
     }
     store(n, Status::running);
 
+    RowId answered = first;  // all before it are leaves that have completed
     while (child != last) {
         const bool fresh = yields && status_[child.index] == Status::idle;
-        const Status status = tick_child(child);
+        Status status = go_on;
+        if (!yields) {
+            const RowId begin = child;
+            child = tick_leaves<go_on>(begin, last, status);
+            if (child != begin) { seen = not_all_skipped; }
+            if (begin == answered) { answered = child; }
+            if (child == last) { break; }
+        }
+        if (status == go_on) { status = tick_child(child); }
         const RowId next = rows_[child.index].end;
         switch (status) {
         case Status::running: memory = child.index | seen; return status;
@@ -114,7 +152,8 @@ Status Stepper::tick_in_order(RowId n, const Row& row) {
         child = next;
     }
     memory = 0;
-    reset_children(n);
+    reset_leaves(first, answered);
+    reset_from(answered, last);
     const bool all_skipped = row.arg != 0 ? s_.words[row.arg - 1] == child_count(n) : seen == 0;
     clear_skips(row);
     return all_skipped ? Status::skipped : go_on;
@@ -124,24 +163,33 @@ Status Stepper::tick_in_order(RowId n, const Row& row) {
 // every other child is reset, before and after it.
 template <Status stop, Status go_on>
 Status Stepper::tick_reactive(RowId n) {
+    const RowId first = first_child(n);
     const RowId last = rows_[n.index].end;
-    bool all_skipped = true;
     store(n, Status::running);
-    for (RowId child = first_child(n); child != last; child = rows_[child.index].end) {
-        const Status status = tick_child(child);
+    Status status = go_on;
+    const RowId answered = tick_leaves<go_on>(first, last, status);
+    bool all_skipped = answered == first;
+    for (RowId child = answered; child != last; child = rows_[child.index].end) {
+        if (status == go_on) { status = tick_child(child); }
         switch (status) {
         case Status::running:
-            for (const RowId other : children(p_, n)) {
+            reset_leaves(first, answered);
+            for (RowId other = answered; other != last; other = rows_[other.index].end) {
                 if (other != child) { reset(other); }
             }
             return status;
         case Status::idle: return status;
-        case stop: reset_children(n); return status;
+        case stop:
+            reset_leaves(first, answered);
+            reset_from(answered, last);
+            return status;
         case Status::skipped: reset(child); break;
         case go_on: all_skipped = false; break;
         }
+        status = go_on;
     }
-    reset_children(n);
+    reset_leaves(first, answered);
+    reset_from(answered, last);
     return all_skipped ? Status::skipped : go_on;
 }
 

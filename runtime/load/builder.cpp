@@ -238,11 +238,11 @@ CodeId Builder::add_copy(Operand operand, Dialect dialect) {
 std::uint32_t Builder::add_call(const LeafType& type) {
     LeafCall call{.type = &type};
     std::vector<std::byte>& bytes = program.prototypes;
-    call.offset =
+    call.prototype =
         (static_cast<std::uint32_t>(bytes.size()) + type.align - 1) / type.align * type.align;
-    bytes.resize(call.offset + type.size);
+    bytes.resize(call.prototype + type.size);
     // the table is aligned as strictly as any leaf; the gaps between members stay zero
-    type.construct(bytes.data() + call.offset);
+    type.construct(bytes.data() + call.prototype);
     call.fresh_size = type.ports.empty() && type.state.empty() ? 0 : type.size;
     call.first_input = static_cast<std::uint32_t>(program.live_inputs.size());
     call.first_output = static_cast<std::uint32_t>(program.bound_outputs.size());
@@ -272,7 +272,7 @@ bool Builder::set_literal(const Port& port, std::string_view text) {
 }
 
 bool Builder::write_literal(const Port& port, Value& value) {
-    std::byte* self = program.prototypes.data() + program.calls.back().offset;
+    std::byte* self = program.prototypes.data() + program.calls.back().prototype;
     if (!store_input(port, value, self)) { return false; }
     if (port.present != Port::always) {
         const bool present = true;

@@ -6,6 +6,7 @@
 #include "load/compile.h"
 #include "load/grammar.h"
 #include "load/json.h"
+#include "load/leaf_places.h"
 #include "load/substitutions.h"
 #include "load/tree_checks.h"
 #include "load/xml.h"
@@ -132,6 +133,10 @@ std::optional<Program> load(Source source, const Registry& registry, Diagnostics
     }
     diagnostics.sort();
     if (!diagnostics.ok()) { return {}; }
+    place_leaves(*program);
+    for (Program& machine : program->machines) {
+        place_leaves(machine);
+    }
     for (std::uint32_t i = 0; i < diagnostics.file_count(); ++i) {
         program->files.emplace_back(diagnostics.file_name(i));
     }

@@ -160,7 +160,8 @@ TEST_CASE(
             std::size_t leaves = 0;
             for (std::uint32_t n = 0; n < program.rows.size(); ++n) {
                 const bool runs = run.state.status[n] == Status::running;
-                leaves += runs && program.rows[n].op == Op::action ? 1U : 0U;
+                const bool leaf = runs && program.rows[n].op == Op::action;
+                leaves += leaf && program.call({n}).type->halt != nullptr ? 1U : 0U;
             }
             halted.halt();
             REQUIRE(count(halted.take_events(), ":HALT") == leaves);

@@ -49,7 +49,7 @@ TEST_CASE("mocks: letters one after the other, each place for itself") {
     State state = fresh_state(mocks.program());
     MockCalls calls = mocks.no_calls();
     const auto tick = [&] {
-        Mocks::Host host{{}, &mocks, &calls, state.leaves.data()};
+        Mocks::Host host{{}, &mocks, &calls, &state.last_leaf};
         return step(mocks.program(), state, host.robot);
     };
     CHECK(tick() == Status::running);

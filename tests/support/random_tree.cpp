@@ -80,6 +80,7 @@ TreeSpec random_leaf(Random& random) {
     }
     const bool synchronous = one_in(random, 4);
     leaf.node = synchronous ? "SyncLeaf" : "Leaf";
+    leaf.coded = one_in(random, 2);
     const std::string_view letters = synchronous ? "SFK" : "SSFFRRRK";
     for (std::int64_t n = random.whole(1, 5); n > 0; --n) {
         leaf.script += letters[static_cast<std::size_t>(

@@ -4,6 +4,7 @@
 #include "support/reference_tree.h"
 
 #include "support/reference_nodes.h"
+#include "support/script_leaves.h"
 
 #include <cstddef>
 #include <string_view>
@@ -29,7 +30,8 @@ public:
         : ReferenceNode(spec, world), id_(std::move(id)) {}
 
     void halt() override {
-        if (stored == running && spec_.node == "Leaf") { world_.events += ' ' + id_ + ":HALT"; }
+        const bool reports = spec_.node == "Leaf" && !spec_.coded;
+        if (stored == running && reports) { world_.events += ' ' + id_ + ":HALT"; }
         stored = idle;
     }
 
@@ -124,7 +126,10 @@ ReferenceTree::ReferenceTree(const TreeSpec& spec) {
 Status ReferenceTree::step(bool while_woken) {
     try {
         Status status = root_->execute();
+        // what has not come to rest by then never does: its own ticks wake it
+        int passes = 1000;
         while (while_woken && status == running && world.woken) {
+            if (--passes == 0) { throw ReferenceStop(); }
             world.woken = false;
             status = root_->execute();
         }

@@ -36,7 +36,7 @@ struct ScriptedLeaf {
     std::string_view id, script;
 
     Status tick(ScriptHost& host, const Tick&) const {
-        const Status status = host.next(this, script);
+        const Status status = host.next(script);
         host.report(id, ':', name_of(status));
         return status;
     }
@@ -47,10 +47,35 @@ struct ScriptedSync {
     std::string_view id, script;
 
     Status tick(ScriptHost& host, const Tick&) const {
-        const Status status = host.next(this, script);
+        const Status status = host.next(script);
         host.report(id, ':', name_of(status));
         return status;
     }
+};
+
+constexpr std::string_view letters = "SFRK-";
+
+Status tick_coded(ScriptHost& host, std::int32_t id, std::int32_t script) {
+    std::array<char, 14> text = {};
+    std::size_t size = 0;
+    for (std::int32_t rest = script; rest > 0; rest /= 5) {
+        text[size++] = letters[static_cast<std::size_t>((rest + 4) % 5)];
+    }
+    const Status status = host.next({text.data(), size});
+    host.report(leaf_id(static_cast<std::size_t>(id)), ':', name_of(status));
+    return status;
+}
+
+struct CodedLeaf {
+    std::int32_t id = 0, script = 0;
+
+    Status tick(ScriptHost& host, const Tick&) const { return tick_coded(host, id, script); }
+};
+
+struct CodedSync {
+    std::int32_t id = 0, script = 0;
+
+    Status tick(ScriptHost& host, const Tick&) const { return tick_coded(host, id, script); }
 };
 
 struct Echo {
@@ -111,11 +136,9 @@ void ScriptHost::report(std::string_view id, char mark, std::string_view what) {
     events += what;
 }
 
-Status ScriptHost::next(const void* leaf, std::string_view script) {
-    const auto place = static_cast<std::size_t>(static_cast<const std::byte*>(leaf) - leaves);
-    if (place >= calls.size()) { calls.resize(place + 1); }
+Status ScriptHost::next(std::string_view script) {
     if (script.empty()) { return Status::failure; }
-    switch (script[calls[place]++ % script.size()]) {
+    switch (script[calls[leaf->index]++ % script.size()]) {
     case 'S': return Status::success;
     case 'R': return Status::running;
     case 'K': return Status::skipped;
@@ -135,6 +158,15 @@ void register_scripts(Registry& registry) {
             .required()
             .synchronous();
     }
+    registry.add<CodedLeaf, ScriptHost>("CodedLeaf", "answer as the number says")
+        .input("id", &CodedLeaf::id)
+        .input("script", &CodedLeaf::script)
+        .required();
+    registry.add<CodedSync, ScriptHost>("CodedSyncLeaf", "answer at once as the number says")
+        .input("id", &CodedSync::id)
+        .input("script", &CodedSync::script)
+        .required()
+        .synchronous();
     registry.add<Echo, ScriptHost>("Echo", "report an untyped port")
         .input("id", &Echo::id)
         .input("in", &Echo::in)
@@ -150,6 +182,19 @@ void register_scripts(Registry& registry) {
     registry.enumerator("BLUE", 3);
 }
 
+std::int32_t code_of(std::string_view script) {
+    std::int32_t code = 0;
+    for (std::size_t i = script.size(); i-- != 0;) {
+        code = 5 * code + static_cast<std::int32_t>(letters.find(script[i])) + 1;
+    }
+    return code;
+}
+
+std::string leaf_id(std::size_t n) {
+    std::string id(1, static_cast<char>('a' + n % 26));
+    return n < 26 ? id : leaf_id(n / 26 - 1) + id;
+}
+
 const Registry& script_registry() {
     static const Registry& registry = [&]() -> Registry& {
         static Registry made;
@@ -160,11 +205,11 @@ const Registry& script_registry() {
 }
 
 ScriptRun::ScriptRun(const Program& program) : state(fresh_state(program)), program_(&program) {
-    host.calls.resize(state.leaves.size() + 1);
+    host.calls.resize(program.rows.size());
 }
 
 void ScriptRun::point_host() {
-    host.leaves = state.leaves.data();
+    host.leaf = &state.last_leaf;
 }
 
 Status ScriptRun::step(const StepOptions& options) {

@@ -24,25 +24,32 @@ struct ScriptHost {
     double range = 0.0;  // m
     std::int32_t count = 0;
     bool records = true;  ///< false: events stays as it is
-    /// Calls by place of the leaf in State::leaves; the n-th call gives letter n of the script.
+    /// Calls by row; the n-th call gives letter n of the script.
     std::vector<std::uint32_t> calls;
-    const std::byte* leaves = nullptr;  ///< State::leaves of the run that is being stepped
+    const RowId* leaf = nullptr;  ///< State::last_leaf of the run that is being stepped
 
     void report(std::string_view id, char mark, std::string_view what);
-    /// The next letter of the script of the leaf whose struct is at `leaf`.
-    Status next(const void* leaf, std::string_view script);
+    /// The next letter of the script of the leaf that is being ticked.
+    Status next(std::string_view script);
 };
 
 /// Adds to `registry`, for a ScriptHost:
-///   Leaf id script            the n-th call, over the whole run, gives the n-th letter of
-///   `script`,
-///                             cyclically: S F R K; reports id:STATUS, and id:HALT when halted
+///   Leaf id script            the n-th call, over the whole run, gives the n-th letter of the
+///                             script, cyclically: S F R K; reports id:STATUS, and id:HALT
 ///   SyncLeaf, Cond id script  the same, synchronous
+///   CodedLeaf, CodedSyncLeaf id script
+///                             Leaf and SyncLeaf with numbers: leaf_id() is the id, code_of() gives
+///                             the script; no report of a halt
 ///   Echo id in                reports what an untyped port holds, id=value or id=ERR
 ///   GetInt, GetDouble, GetStr id in            the same for a typed port
 ///   PutInt, PutDouble, PutStr id value out     writes, and reports id>value
 /// the sensors bumper, range and count, and the enumerators RED=1, GREEN=2, BLUE=3.
 void register_scripts(Registry& registry);
+
+/// The number that stands for a script of up to 13 letters: base 5, the first letter last, S is 1.
+std::int32_t code_of(std::string_view script);
+/// The id of leaf number `n` from 0: a, b, …, z, aa, …
+std::string leaf_id(std::size_t n);
 
 /// The registry with just these; programs may point into it for ever.
 const Registry& script_registry();

@@ -3,6 +3,7 @@
 #include "support/tree_table.h"
 
 #include "support/loading.h"
+#include "support/script_leaves.h"
 
 #include <algorithm>
 #include <cctype>
@@ -27,6 +28,7 @@ public:
             at_ += 2;
         }
         const bool synchronous = take('=');
+        out.coded = take('#');
         const std::size_t begin = at_;
         while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
             ++at_;
@@ -110,8 +112,11 @@ std::string ports(const TreeSpec& tree) {
 }
 
 void append_xml(const TreeSpec& tree, std::size_t& leaves, std::string& out) {
-    out += '<' + tree.node;
-    if (!tree.script.empty()) {
+    out += '<' + std::string(tree.coded ? "Coded" : "") + tree.node;
+    if (tree.coded) {
+        out += " id=\"" + std::to_string(leaves++) + "\" script=\"" +
+               std::to_string(code_of(tree.script)) + '"';
+    } else if (!tree.script.empty()) {
         out += " id=\"" + leaf_id(leaves++) + "\" script=\"" + tree.script + '"';
     }
     out += ports(tree);
@@ -126,7 +131,7 @@ void append_xml(const TreeSpec& tree, std::size_t& leaves, std::string& out) {
     for (const TreeSpec& child : tree.children) {
         append_xml(child, leaves, out);
     }
-    out += "</" + tree.node + '>';
+    out += "</" + std::string(tree.coded ? "Coded" : "") + tree.node + '>';
 }
 
 }  // namespace
@@ -142,6 +147,7 @@ std::string notation(const TreeSpec& tree) {
         out += '?';
     }
     if (tree.node == "SyncLeaf") { out += '='; }
+    if (tree.coded) { out += '#'; }
     if (!tree.script.empty()) { return out + tree.script; }
     out += tree.node;
     const std::string second = tree.second != 0 ? ':' + std::to_string(tree.second) : "";
@@ -154,11 +160,6 @@ std::string notation(const TreeSpec& tree) {
         between = ", ";
     }
     return tree.children.empty() ? out : out + ')';
-}
-
-std::string leaf_id(std::size_t n) {
-    std::string id(1, static_cast<char>('a' + n % 26));
-    return n < 26 ? id : leaf_id(n / 26 - 1) + id;
 }
 
 std::string xml_of(const TreeSpec& tree) {

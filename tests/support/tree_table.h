@@ -4,7 +4,7 @@
 //     tree  = NODE | NODE[NUMBER] , each with (tree, …)   "Repeat[2](SF)"
 //           | Parallel[SUCCESSES:FAILURES](tree, …)
 //           | SCRIPT                                      a Leaf: the letters S F R K, a tick each
-//           | =SCRIPT                                     a SyncLeaf
+//           | =SCRIPT                                     a SyncLeaf; #SCRIPT, =#SCRIPT: coded ones
 //           | Script                                      writes the entry that *Updated watch
 //     NUMBER is the port that a node has: a time in s, how many elements a queue has, the variable
 //     of a Switch with the cases 1, 2, …; of booleans 0 is the default, 1 the other value; of
@@ -24,6 +24,8 @@ namespace trellis::test {
 struct TreeSpec {
     std::string node;    ///< the element: "Sequence", "Leaf", …
     std::string script;  ///< of a leaf
+    /// Its id and script are numbers, so that no tick has to read them, and it reports no halt.
+    bool coded = false;
     int number = 0;      ///< its port: see above
     int second = 0;      ///< failure_count
     std::string before;  ///< letters of the pre-conditions it has: f s k w
@@ -36,8 +38,6 @@ TreeSpec parse_tree(std::string_view text);
 std::string notation(const TreeSpec& tree);
 /// The tree file with that tree.
 std::string xml_of(const TreeSpec& tree);
-/// The id of leaf number `n` from 0: a, b, …, z, aa, …
-std::string leaf_id(std::size_t n);
 
 /// What the root returned, a letter per tick, then the stored statuses after each tick of every
 /// node from the root on, '-' for idle: table("ReactiveSequence(SF, RR)", 2) == "RF | R- S- R-".
