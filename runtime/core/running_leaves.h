@@ -1,5 +1,5 @@
-// The leaves of a state that run: only their structs hold anything. Private to runtime/core. Covered
-// by tests/core/state_test.cpp and tests/exec/save_restore_test.cpp.
+// The leaves of a state that run: only their structs hold anything. Private to runtime/core.
+// Covered by tests/core/state_test.cpp and tests/exec/save_restore_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,5 +1,5 @@
-// States as bytes, and back: saving, restoring, hashing. Covered by tests/exec/save_restore_test.cpp
-// and tests/core/state_test.cpp.
+// States as bytes, and back: saving, restoring, hashing. Covered by
+// tests/exec/save_restore_test.cpp and tests/core/state_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "core/bytes.h"
 #include "core/running_leaves.h"

@@ -30,7 +30,7 @@ public:
         const bool synchronous = take('=');
         out.coded = take('#');
         const std::size_t begin = at_;
-        while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
+        while (at_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[at_])) != 0) {
             ++at_;
         }
         const std::string_view word = text_.substr(begin, at_ - begin);
