@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
 #include "support.h"
+#include "tree_shapes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -13,20 +14,8 @@
 namespace trellis {
 namespace {
 
-std::string tree(const std::string& root) {
-    return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + root + "</BehaviorTree></root>";
-}
-
-std::string repeated(const std::string& element, std::int64_t count) {
-    std::string all;
-    for (std::int64_t i = 0; i < count; ++i) {
-        all += element;
-    }
-    return all;
-}
-
 void tick(benchmark::State& bench, const std::string& root, std::int64_t nodes) {
-    const Program program = bench::loaded("bench.xml", tree(root));
+    const Program program = bench::loaded("bench.xml", bench::tree_file(root));
     State state = fresh_state(program);
     bench::Host host;
     for (auto _ : bench) {
@@ -37,43 +26,33 @@ void tick(benchmark::State& bench, const std::string& root, std::int64_t nodes) 
                                                         benchmark::Counter::kInvert);
 }
 
-// nodes of memory: a tick leads straight to the leaf that runs
 void steady_with_memory(benchmark::State& bench) {
-    const std::int64_t depth = bench.range(0);
-    std::string root = "<Busy/>";
-    for (std::int64_t i = 1; i < depth; ++i) {
-        root = i % 2 == 0 ? "<Sequence><Done/>" + root + "</Sequence>"
-                          : "<Fallback>" + root + "<Done/></Fallback>";
-    }
-    tick(bench, root, depth);
+    tick(bench, bench::nested_with_memory(bench.range(0)), bench.range(0));
 }
 BENCHMARK(steady_with_memory)->Name("tree/steady, memory")->Arg(3)->Arg(10)->Arg(50);
 
-// conditions that are asked in every tick, and the leaf behind them
 void steady_reactive(benchmark::State& bench) {
-    const std::int64_t conditions = bench.range(0);
-    tick(bench,
-         "<ReactiveSequence>" + repeated("<Yes/>", conditions) + "<Busy/></ReactiveSequence>",
-         conditions + 2);
+    tick(bench, bench::reactive(bench.range(0)), bench.range(0) + 2);
 }
 BENCHMARK(steady_reactive)->Name("tree/steady, reactive")->Arg(1)->Arg(10)->Arg(100);
 
 void thousand_leaves(benchmark::State& bench, const std::string& leaf) {
-    tick(bench, "<Sequence>" + repeated(leaf, 1000) + "</Sequence>", 1001);
+    tick(bench, bench::thousand(leaf), 1001);
 }
 BENCHMARK_CAPTURE(thousand_leaves, actions, "<Done/>")->Name("tree/1000 actions in a tick");
 BENCHMARK_CAPTURE(thousand_leaves, conditions, "<Yes/>")->Name("tree/1000 conditions in a tick");
 
 void script_node(benchmark::State& bench) {
-    tick(bench, "<Sequence><Script code=\"n := 1.5\"/><Script code=\"n += 1\"/></Sequence>", 2);
+    tick(bench, bench::two_scripts, 2);
 }
 BENCHMARK(script_node)->Name("tree/two scripts in a tick");
 
 // Not a time: what a node of a large tree weighs.
 void weight(benchmark::State& bench) {
     const Program program = bench::loaded(
-        "bench.xml",
-        tree("<Sequence>" + repeated("<Fallback><Busy/><Done/></Fallback>", 3000) + "</Sequence>"));
+        "bench.xml", bench::tree_file("<Sequence>" +
+                                      bench::repeated("<Fallback><Busy/><Done/></Fallback>", 3000) +
+                                      "</Sequence>"));
     const State state = fresh_state(program);
     const auto rows = static_cast<double>(program.rows.size());
     for (auto _ : bench) {
