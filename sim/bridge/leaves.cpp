@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string_view>
 
 namespace trellis {
 
@@ -135,6 +137,17 @@ bool DirtFound::tick(Roomba& robot, const Tick&) const {
 
 bool Docked::tick(Roomba& robot, const Tick&) const {
     return robot.docked;
+}
+
+bool feels_only_bumper(const LeafType& leaf) {
+    constexpr std::string_view names[] = {"MoveForward", "MoveInSpiral", "GoBack", "Rotate",
+                                          "SetVelocity", "Wait",         "Bumped"};
+    return std::find(std::begin(names), std::end(names), leaf.name) != std::end(names);
+}
+
+std::array<std::uint32_t, 3> bumper_sensors() {
+    return {offsetof(Roomba, bumper), offsetof(Roomba, bumper_left),
+            offsetof(Roomba, bumper_right)};
 }
 
 namespace {

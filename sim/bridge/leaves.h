@@ -8,6 +8,9 @@
 #include "core/status.h"
 #include "sim/roomba.h"
 
+#include <array>
+#include <cstdint>
+
 namespace trellis {
 
 /// Drives straight until `duration` has passed: success. Fails on a bump. The time is tested before
@@ -133,6 +136,13 @@ struct DirtFound {
 struct Docked {
     bool tick(Roomba& robot, const Tick& t) const;
 };
+
+/// Whether a leaf of register_roomba() perceives nothing but the bumper and the time: where the
+/// robot stands and what is around it does not matter to it.
+bool feels_only_bumper(const LeafType& leaf);
+
+/// The sensors of the bumper, as bytes of a Roomba: see Sensor::offset.
+std::array<std::uint32_t, 3> bumper_sensors();
 
 /// Adds all of the above, and the sensors `_x.x`, `_x.y`, `_x.rotation`, `_x.v`, `_x.w`,
 /// `_x.bumper`, `_x.bumper_left`, `_x.bumper_right`, `_x.wall_distance`, `_x.dirt`, `_x.battery`,

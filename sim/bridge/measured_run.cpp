@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/bridge/measured_run.h"
 
+#include "core/number.h"
+#include "sim/bridge/repetition.h"
+
 #include <utility>
 
 namespace trellis {
@@ -10,8 +13,9 @@ namespace {
 /// A run on its way.
 class Measurement {
 public:
-    Measurement(const Program& program, EpisodeSetup setup, const Floor& floor)
-        : episode_(program, std::move(setup)), coverage_(floor) {
+    Measurement(const Program& program, EpisodeSetup setup, const Floor& floor, bool ends_early)
+        : episode_(program, std::move(setup)), coverage_(floor), watch_(episode_),
+          watches_(ends_early && watch_.is_of_use()) {
         coverage_.add(episode_.robot().x, episode_.robot().y, 0);
     }
 
@@ -38,6 +42,10 @@ public:
     std::string message() const {
         const State& state = episode_.state();
         if (ending_ == Ending::fault) return describe_fault(episode_.program(), state);
+        if (repetition_)
+            return "every " +
+                   print_number(static_cast<double>(repetition_->period) * episode_.setup().dt) +
+                   " s";
         if (ending_ == Ending::final) return std::string(leaf_label(episode_.program(), state));
         return {};
     }
@@ -52,6 +60,9 @@ private:
         driven_.add(robot, episode_.setup().dt);
         coverage_.add(robot.x, robot.y, ++tick_);
         if (episode_.is_over()) ending_ = Ending::final;
+        if (!watches_) return;
+        repetition_ = watch_.look(episode_, coverage_);
+        if (repetition_) ending_ = repetition_->moves ? Ending::orbit : Ending::stuck;
     }
 
     double dirt() const {
@@ -64,6 +75,9 @@ private:
     Episode episode_;
     Coverage coverage_;
     Odometer driven_;
+    RepetitionWatch watch_;
+    bool watches_;
+    std::optional<Repetition> repetition_;
     std::uint64_t tick_ = 0;
     Ending ending_ = Ending::time;
 };
@@ -75,13 +89,15 @@ std::string_view name_of(Ending ending) {
     case Ending::time: return "time";
     case Ending::final: return "final";
     case Ending::fault: return "fault";
+    case Ending::stuck: return "stuck";
+    case Ending::orbit: return "orbit";
     }
     return "";
 }
 
 MeasuredRun measured_run(const Program& program, EpisodeSetup setup, const Floor& floor,
                          const Measuring& measuring) {
-    Measurement measurement(program, std::move(setup), floor);
+    Measurement measurement(program, std::move(setup), floor, measuring.ends_early);
     MeasuredRun run;
     for (const std::uint64_t stop : measuring.stops) {
         measurement.run_to(stop);

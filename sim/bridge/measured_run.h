@@ -26,6 +26,7 @@ inline constexpr std::array<int, 5> milestones{50, 80, 90, 95, 99};
 struct Measuring {
     std::vector<std::uint64_t> stops;  ///< the last is the end of the run
     std::vector<std::uint64_t> curve;  ///< in which only the coverage is taken
+    bool ends_early = true;            ///< when nothing more can be covered: stuck, orbit
 };
 
 /// How a run ended.
@@ -33,9 +34,12 @@ enum class Ending : std::uint8_t {
     time,   ///< its time was up
     final,  ///< the machine reached a top-level final state
     fault,  ///< the behaviour failed
+    stuck,  ///< the robot will not move any more
+    orbit,  ///< it will go on for ever where it has been: see repetition.h
 };
-inline constexpr std::array endings{Ending::time, Ending::final, Ending::fault};
-/// "time", "final", "fault".
+inline constexpr std::array endings{Ending::time, Ending::final, Ending::fault, Ending::stuck,
+                                    Ending::orbit};
+/// "time", "final", …
 std::string_view name_of(Ending ending);
 
 /// What a run amounts to in one of the stops, or when it ended if that was earlier.
@@ -56,7 +60,8 @@ struct MeasuredRun {
     std::vector<std::uint64_t> curve;  ///< cells covered, by Measuring::curve
     /// The ticks in which the milestones were reached; none if one was not.
     std::array<std::optional<std::uint64_t>, milestones.size()> reached{};
-    std::string message;  ///< the final state's id, or the fault; empty if its time was up
+    /// The final state's id, the fault, how often an orbit repeats; empty if its time was up.
+    std::string message;
 
     friend bool operator==(const MeasuredRun&, const MeasuredRun&) = default;
 };
