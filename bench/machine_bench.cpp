@@ -35,9 +35,13 @@ void send_in_turn(benchmark::State& bench, const std::string& states,
     State running = fresh_state(program);
     bench::Host host;
     start(program, running, host);
+    std::array<EventId, count> ids;
+    for (std::size_t i = 0; i < count; ++i) {
+        ids[i] = find_event(program, events[i]);
+    }
     std::size_t next = 0;
     for (auto _ : bench) {
-        send(program, running, events[next]);
+        send(program, running, ids[next]);
         next = next + 1 == count ? 0 : next + 1;
         benchmark::DoNotOptimize(step(program, running, host));
     }

@@ -66,6 +66,9 @@ struct Transition {
     /// A target is a history: what it stands for decides the domain when the transition is taken.
     bool to_history = false;
     RowId domain = {};  ///< the row whose descendants are left; none if targetless
+    /// Taking it does no more than leave, and enter those of Program::entered, in document order.
+    bool only_moves = false;
+    std::uint32_t first_entered = 0, entered_count = 0;
 
     friend bool operator==(const Transition&, const Transition&) = default;
 };
@@ -95,6 +98,7 @@ struct StateInfo {
     RowId outer;           ///< the next state around it that has transitions; none if there is none
     QuietId quiet;         ///< atomic states: what a cycle is in which nothing happens; may be none
     bool atomic = false;   ///< it has no states inside
+    bool silent = false;   ///< nothing runs or is remembered when it is entered or left
     /// Numbers of invoke and history rows: in this order they precede the states among children.
     std::uint32_t invokes = 0, histories = 0;
     EventId done;        ///< compound and parallel states: done.state.ID

@@ -313,6 +313,7 @@ bool operator==(const Program& a, const Program& b) {
            a.tests == b.tests && a.words == b.words && a.queues == b.queues &&
            a.counts_writes == b.counts_writes && a.conditions == b.conditions &&
            a.states == b.states && a.transitions == b.transitions && a.targets == b.targets &&
+           a.entered == b.entered && a.takes_plain_events == b.takes_plain_events &&
            a.events == b.events && a.descriptors == b.descriptors && a.actions == b.actions &&
            a.blocks == b.blocks && a.labels == b.labels && a.invokes == b.invokes &&
            a.params == b.params && a.tick_event == b.tick_event && a.error_event == b.error_event &&

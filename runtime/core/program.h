@@ -233,6 +233,7 @@ struct Program {
     std::vector<Condition> quiet_times;
     std::vector<QuietInput> quiet_inputs;
     std::vector<RowId> targets;
+    std::vector<RowId> entered;  ///< see Transition::only_moves
     std::vector<EventName> events;
     std::vector<EventId> descriptors;
     std::vector<Action> actions;
@@ -256,6 +257,9 @@ struct Program {
     bool has_eventless = false;            ///< whether any transition is eventless
     bool has_messages = false;             ///< whether it sends with a delay, or invokes machines
     bool has_parallel = false;             ///< whether more than one atomic state can be active
+    /// Whether a cycle consists of taking the events that wait: nothing is eventless, asks for
+    /// `tick` or `_event`, is invoked or remembered.
+    bool takes_plain_events = false;
     /// Whether a cycle without events can do something: `tick` is named, or an eventless guard
     /// reads a sensor or the time.
     bool needs_every_cycle = false;

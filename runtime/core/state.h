@@ -91,10 +91,12 @@ struct Child;
 
 /// Buffers of a step, empty between steps but for their capacity: not part of what a state is.
 struct Workspace {
-    /// A transition that is to be taken, and the row below which it leaves.
+    /// A transition that is to be taken, the row below which it leaves, and where that is known
+    /// what it leaves: [first, last) of Session::active.
     struct Choice {
         TransitionId id;
         RowId domain;
+        std::uint32_t first = 0, last = 0;
     };
     std::vector<Choice> chosen;
     std::vector<RowId> entering;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "exec/step.h"
 
+#include "exec/plain_events.h"
 #include "exec/quiet_step.h"
 #include "exec/stepper.h"
 
@@ -40,7 +41,9 @@ namespace {
 Status step(const Program& program, State& state, HostRef host, const StepOptions& options) {
     assert(fits(program, state, host));
     const QuietStep quiet = state.quiet.cycles != 0 ? quiet_cycle(program, state, host, options)
-                                                    : quiet_tick(program, state, host, options);
+                            : program.takes_plain_events
+                                ? take_plain_events(program, state, host, options)
+                                : quiet_tick(program, state, host, options);
     if (!quiet.taken || quiet.status != Status::running || state.random.exhausted()) [[unlikely]] {
         return whole_step(program, state, host, options, quiet);
     }
@@ -51,6 +54,19 @@ Status step(const Program& program, State& state, HostRef host, const StepOption
 void halt(const Program& program, State& state, HostRef host, const StepOptions& options) {
     assert(fits(program, state, host));
     Stepper(program, state, host, options).halt_root();
+}
+
+EventId find_event(const Program& program, std::string_view name) {
+    const Event event = event_named(program, name);
+    return event.unknown.is(Value::Kind::text) ? EventId() : event.name;
+}
+
+void send(const Program& program, State& state, EventId event) {
+    assert(program.is_machine() && event.index < program.events.size());
+    static_cast<void>(program);
+    Event& sent = state.session.external.emplace_back();
+    sent.name = event;
+    sent.type = Event::Type::external;
 }
 
 void send(const Program& program, State& state, std::string_view event, Value data) {

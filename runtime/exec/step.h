@@ -41,6 +41,11 @@ Status step(const Program& program, State& state, HostRef host, const StepOption
 /// matches what its longest known prefix matches. Nothing to do for a tree.
 void send(const Program& program, State& state, std::string_view event, Value data = {});
 
+/// The number of an event, for hosts that send it often: none if no part of the machine names it.
+EventId find_event(const Program& program, std::string_view name);
+/// The same as sending it by its name, without data. `event` must be one that find_event() found.
+void send(const Program& program, State& state, EventId event);
+
 /// The number of cycles that can pass before one in which a machine does something: 0 if the next
 /// one may; nothing if none will, without an event from the host. For hosts without a robot.
 std::optional<std::uint64_t> idle_cycles(const Program& program, const State& state);

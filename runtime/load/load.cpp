@@ -7,6 +7,7 @@
 #include "load/grammar.h"
 #include "load/json.h"
 #include "load/leaf_places.h"
+#include "load/machine_moves.h"
 #include "load/substitutions.h"
 #include "load/tree_checks.h"
 #include "load/xml.h"
@@ -58,6 +59,12 @@ void warn_of_unused(const Substitutions& rules, Diagnostics& diagnostics) {
         diagnostics.warning("substitution", rule.where,
                             "no node is replaced by the rule for \"" + rule.pattern + '"');
     }
+}
+
+/// What is found in a whole program.
+void finish(Program& program) {
+    place_leaves(program);
+    find_moves(program);
 }
 
 }  // namespace
@@ -133,9 +140,9 @@ std::optional<Program> load(Source source, const Registry& registry, Diagnostics
     }
     diagnostics.sort();
     if (!diagnostics.ok()) { return {}; }
-    place_leaves(*program);
+    finish(*program);
     for (Program& machine : program->machines) {
-        place_leaves(machine);
+        finish(machine);
     }
     for (std::uint32_t i = 0; i < diagnostics.file_count(); ++i) {
         program->files.emplace_back(diagnostics.file_name(i));

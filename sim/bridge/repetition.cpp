@@ -158,8 +158,7 @@ std::optional<Repetition> RepetitionWatch::think(const Episode& run, const Cover
     return {};
 }
 
-std::optional<Repetition> RepetitionWatch::compare(const Episode& run,
-                                                   const Coverage& coverage) {
+std::optional<Repetition> RepetitionWatch::compare(const Episode& run, const Coverage& coverage) {
     const Episode& before = anchor_.run;
     if (!recurs(run.program(), before.state(), run.state())) return {};
     // trying out takes a period, and until a ring is covered there are many
