@@ -1,15 +1,23 @@
-// Worlds and coverage: painting alone, the whole lab step with coverage, and a step in a world of a
-// thousand walls. The angles are random.Random(0)'s. Results per machine are in bench/README.md.
+// Worlds and coverage: painting alone, the whole lab step with coverage, by hand and from a file, a
+// step in a world of a thousand walls, the runs of a sweep in one thread and in two, and ticks that
+// are leaped over. The angles are random.Random(0)'s. Results per machine are in bench/README.md.
 // SPDX-License-Identifier: MIT
 #include "core/random.h"
+#include "sim/bridge/fast_forward.h"
+#include "sim/bridge/leaves.h"
+#include "sim/bridge/measured_run.h"
 #include "sim/coverage.h"
 #include "sim/surroundings.h"
+#include "support.h"
 #include "support/hand_written.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <fstream>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace trellis {
@@ -64,6 +72,72 @@ void lab_with_coverage(benchmark::State& state) {
     }
 }
 BENCHMARK(lab_with_coverage)->Name("world step/lab, with coverage");
+
+struct Roombas : Registry {
+    Roombas() { register_roomba(*this); }
+};
+
+Program program_of(const std::string& file, const Registry& registry) {
+    std::ifstream in(TRELLIS_SOURCE_DIR "/" + file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return bench::loaded(file, text.str(), registry);
+}
+
+constexpr const char* behaviours[] = {"machines/roomba.scxml", "trees/roomba.xml"};
+
+void lab_file_with_coverage(benchmark::State& state) {
+    const Roombas registry;
+    const Program program = program_of(behaviours[state.range(0)], registry);
+    state.SetLabel(behaviours[state.range(0)]);
+    const Floor floor = floor_of(LabWorld{});
+    Coverage coverage(floor);
+    Episode episode(program, {.random = Random(0)});
+    for (auto _ : state) {
+        episode.tick();
+        coverage.add(episode.robot().x, episode.robot().y, episode.state().tick);
+        benchmark::DoNotOptimize(episode);
+    }
+}
+BENCHMARK(lab_file_with_coverage)
+    ->Name("world step/lab, from a file, with coverage")
+    ->DenseRange(0, 1);
+
+/// Runs of ten minutes as a sweep makes them, every thread its own.
+void sweep_runs(benchmark::State& state) {
+    static const Roombas registry;
+    static const Program program = program_of(behaviours[0], registry);
+    static const Floor floor = floor_of(LabWorld{});
+    std::int64_t seed = state.thread_index();
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(measured_run(program, {.random = Random(seed)}, floor,
+                                              {.stops = {36'000}, .curve = {36'000}}));
+        seed += state.threads();
+    }
+    state.SetItemsProcessed(state.iterations() * 36'000);
+}
+BENCHMARK(sweep_runs)->Name("sweep/runs of 36,000 ticks")->Threads(1)->Threads(2)->UseRealTime();
+
+/// Ten minutes, ticked or leaped over.
+void ten_minutes(benchmark::State& state) {
+    const Roombas registry;
+    const Program program = program_of(behaviours[state.range(0)], registry);
+    const bool leaps = state.range(1) != 0;
+    state.SetLabel(behaviours[state.range(0)] + std::string(leaps ? ", leaped" : ", ticked"));
+    FastForward forward(program);
+    constexpr std::uint64_t ticks = 36'000;
+    std::int64_t seed = 0;
+    for (auto _ : state) {
+        Episode episode(program, {.random = Random(seed++)});
+        while (episode.state().tick < ticks) {
+            if (leaps && forward.leap(episode, ticks - episode.state().tick) != 0) continue;
+            episode.tick();
+        }
+        benchmark::DoNotOptimize(episode);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ticks));
+}
+BENCHMARK(ten_minutes)->Name("ten minutes")->ArgsProduct({{0, 1}, {0, 1}});
 
 /// A room of 20 m by 15 m with `posts` posts of four walls.
 WalledWorld room_of_posts(int posts) {

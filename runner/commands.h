@@ -153,6 +153,7 @@ Exit execute(const TraceConvertArguments& arguments, Streams& streams);
 struct SweepOutput {
     std::string out;  ///< rows: FILE.csv, FILE.jsonl, "-" for standard output; empty: none
     Format format = Format::text;  ///< of the summary
+    std::string report;            ///< a page with pictures; empty: none
 };
 
 /// trellis sweep: every run of a sweep file.

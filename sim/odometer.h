@@ -27,6 +27,15 @@ struct Odometer {
         distance += std::fabs(robot.v) * dt;
     }
 
+    /// The same for so many ticks in which the robot's velocity, but for its turning, and its
+    /// bumper did not change; at least one.
+    void add(const Roomba& robot, double dt, std::uint64_t ticks) {
+        add(robot, dt);
+        const auto more = static_cast<double>(ticks - 1);
+        bumps += robot.bumper ? ticks - 1 : 0;
+        distance += more * std::fabs(robot.v) * dt;
+    }
+
     /// How many times over a robot of that radius (m) has swept the area it has covered (m²); 0 if
     /// it has covered none.
     double overlap(double radius, double covered) const {

@@ -14,9 +14,6 @@
 namespace trellis {
 namespace {
 
-/// The curve of coverage over time has so many steps.
-constexpr std::uint64_t curve_steps = 60;
-
 std::uint64_t ticks_of(double seconds, double dt) {
     return static_cast<std::uint64_t>(std::max(1LL, std::llround(seconds / dt)));
 }
@@ -57,6 +54,7 @@ public:
         }
         for (const double time : spec.times)
             plan_.measuring_.stops.push_back(ticks_of(time, spec.dt));
+        plan_.measuring_.leaps = spec.fast;
         const std::uint64_t last = plan_.measuring_.stops.back();
         for (std::uint64_t step = 1; step <= curve_steps; ++step)
             plan_.measuring_.curve.push_back(last * step / curve_steps);
@@ -92,6 +90,7 @@ private:
 
     bool load_world_and_floor(const std::string& name) {
         const double cell = plan_.spec_.cell;
+        plan_.world_files_.push_back(name == "lab" ? name : path_of(name));
         if (name == "lab") {
             plan_.worlds_.push_back(nullptr);
             plan_.floors_.push_back(std::make_unique<Floor>(floor_of(LabWorld{}, cell)));
@@ -154,25 +153,31 @@ private:
         return false;
     }
 
-    /// Loads the file as it is, shows what is wrong with it, and finds the variables that the sweep
-    /// sets; their places are in the sweep file.
+    /// Loads the file with first values, shows what is wrong with it, and finds the variables that
+    /// the sweep sets and the file does not have; their places are in the sweep file.
     bool check_variables(const SpecBehaviour& behaviour, const Source& source) {
         LoadArguments arguments;
         arguments.main_tree = behaviour.tree;
-        const std::optional<Behaviour> loaded =
+        const std::optional<Behaviour> plain =
             compile_behaviour(source, arguments, plan_.registry_, streams_);
-        exit_ = Exit::no;
-        show(loaded->diagnostics, streams_);
-        if (!loaded->program) return false;
-        for (std::uint32_t i = 0; i < loaded->diagnostics.file_count(); ++i)
-            fingerprint_.add(loaded->diagnostics.file_text(i));
-        for (const SpecBehaviour::Setting& setting : behaviour.set)
-            check_variable(setting.name, behaviour, *loaded->program);
-        for (const SpecParameter& parameter : plan_.spec_.parameters) {
-            if (parameter.is_of(behaviour))
-                check_variable(parameter.name, behaviour, *loaded->program);
+        for (const SpecBehaviour::Setting& setting : behaviour.set) {
+            arguments.set.push_back(setting.name.text + '=' + setting.value);
+            if (plain->program) check_variable(setting.name, behaviour, *plain->program);
         }
-        return spec_findings_.ok() || show_spec_findings();
+        for (const SpecParameter& parameter : plan_.spec_.parameters) {
+            if (!parameter.is_of(behaviour)) continue;
+            arguments.set.push_back(parameter.name.text + '=' + parameter.values.front());
+            if (plain->program) check_variable(parameter.name, behaviour, *plain->program);
+        }
+        exit_ = Exit::no;
+        if (!spec_findings_.ok()) return show_spec_findings();
+        // some files are whole only with the values that they are given
+        const std::optional<Behaviour> given =
+            compile_behaviour(source, arguments, plan_.registry_, streams_);
+        show(given->diagnostics, streams_);
+        for (std::uint32_t i = 0; i < given->diagnostics.file_count(); ++i)
+            fingerprint_.add(given->diagnostics.file_text(i));
+        return given->program.has_value();
     }
 
     void check_variable(const SpecText& name, const SpecBehaviour& behaviour,

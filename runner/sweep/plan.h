@@ -17,6 +17,9 @@
 
 namespace trellis {
 
+/// The curve of coverage over time has so many steps: the first of Measuring::curve.
+inline constexpr std::uint64_t curve_steps = 60;
+
 /// One combination of behaviour, parameters and world.
 struct SweepCase {
     std::size_t behaviour = 0;        ///< SweepSpec::behaviours
@@ -38,6 +41,11 @@ public:
     /// Null: the lab's room.
     const WalledWorld* world(const SweepCase& of) const { return worlds_[of.world].get(); }
     const Program& program(const SweepCase& of) const { return *programs_[of.program].program; }
+    /// The files, as a command finds them from where the sweep was started; "lab" for its room.
+    const std::string& behaviour_file(const SweepCase& of) const {
+        return programs_[of.program].name;
+    }
+    const std::string& world_file(const SweepCase& of) const { return world_files_[of.world]; }
 
     /// Runs are numbered from 0: all seeds of the first case, then those of the next.
     std::uint64_t run_count() const { return cases_.size() * spec_.seeds; }
@@ -60,6 +68,7 @@ private:
     Measuring measuring_;
     RoombaRegistry registry_;
     std::vector<Behaviour> programs_;
+    std::vector<std::string> world_files_;
     std::vector<std::unique_ptr<WalledWorld>> worlds_;  // null: the lab's room
     std::vector<std::unique_ptr<Floor>> floors_;
     std::uint64_t fingerprint_ = 0;

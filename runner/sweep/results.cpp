@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runner/sweep/results.h"
 
+#include "runner/sweep/report.h"
 #include "runner/sweep/rows.h"
 #include "runner/sweep/summary_report.h"
 
@@ -57,12 +58,17 @@ void add_options(CLI::App& app, SweepOutput& output) {
     app.add_option("--out", output.out, "write the rows to FILE.csv or FILE.jsonl, or - for CSV")
         ->type_name("FILE")
         ->check(rows_name);
+    app.add_option("--report", output.report,
+                   "write a page with curves, a heat map and the best and worst runs")
+        ->type_name("FILE.html");
     add_format(app, output.format);
 }
 
 Exit write_results(const SweepPlan& plan, const Results& results, const SweepOutput& output,
                    Streams& streams) {
     if (!output.out.empty() && !write_rows(plan, results, output.out, streams)) return Exit::file;
+    if (!output.report.empty() && !write_text(output.report, sweep_report(plan, results), streams))
+        return Exit::file;
     const SweepSummary summary = summarised(plan, results);
     (output.out == "-" ? streams.err : streams.out)
         << (output.format == Format::json ? summary_json(plan, summary)

@@ -11,7 +11,7 @@
 
 namespace trellis {
 
-/// Adds --out and --format to a command.
+/// Adds --out, --report and --format to a command.
 void add_options(CLI::App& app, SweepOutput& output);
 
 /// Writes rows and summary of a sweep whose runs are all done. Yes; no, after a message, if a

@@ -66,6 +66,7 @@ public:
         spec_.times = seconds("times");
         spec_.marks = seconds("marks");
         spec_.cell = number_in(json_, root, "cell", default_cell);
+        spec_.fast = text_in(json_, root, "fast") == "true";
         spec_.dt = number_in(json_, root, "dt", lab_dt);
         check_size();
         return std::move(spec_);

@@ -56,6 +56,7 @@ struct SweepSpec {
     std::vector<double> times;   ///< s, ascending
     std::vector<double> marks;   ///< s, ascending
     double cell = default_cell;  ///< m
+    bool fast = false;           ///< Measuring::leaps
     double dt = lab_dt;          ///< s
 };
 

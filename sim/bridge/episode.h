@@ -71,6 +71,8 @@ public:
     const EpisodeSetup& setup() const { return setup_; }
 
 private:
+    friend class FastForward;  // which lets ticks pass without ticking
+
     void sense_around();
     void move_around();
 

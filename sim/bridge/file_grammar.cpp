@@ -69,6 +69,7 @@ private:
         switch (rule.kind) {
         case Kind::text: expect(value, JsonValue::Kind::string, title); break;
         case Kind::number: number(value, rule.limit, title); break;
+        case Kind::flag: expect(value, JsonValue::Kind::boolean, title); break;
         case Kind::whole: whole(value, rule.limit, title); break;
         case Kind::point: point(value, title); break;
         case Kind::points:
@@ -151,10 +152,11 @@ private:
 
     bool expect(JsonId value, JsonValue::Kind kind, std::string_view title) {
         if (json_.kind(value) == kind) return true;
-        const std::string_view wanted = kind == JsonValue::Kind::array    ? "an array"
-                                        : kind == JsonValue::Kind::object ? "an object"
-                                        : kind == JsonValue::Kind::number ? "a number"
-                                                                          : "text";
+        const std::string_view wanted = kind == JsonValue::Kind::array     ? "an array"
+                                        : kind == JsonValue::Kind::object  ? "an object"
+                                        : kind == JsonValue::Kind::number  ? "a number"
+                                        : kind == JsonValue::Kind::boolean ? "true or false"
+                                                                           : "text";
         diagnostics_.structural_error("json-type", json_.at(value).where,
                                       std::string(title) + " must be " + std::string(wanted) +
                                           ", found " + std::string(article(json_, value)));

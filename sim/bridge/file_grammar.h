@@ -23,6 +23,7 @@ struct FileMember {
         text,
         number,
         whole,     ///< a number without a fraction
+        flag,      ///< true or false
         point,     ///< [x, y]
         points,    ///< at least 3 of them
         texts,     ///< a list of texts

@@ -65,6 +65,7 @@ private:
         text(schema, "description", member.doc);
         switch (member.kind) {
         case Kind::text: text(schema, "type", "string"); break;
+        case Kind::flag: text(schema, "type", "boolean"); break;
         case Kind::number:
         case Kind::whole:
             text(schema, "type", member.kind == Kind::whole ? "integer" : "number");

@@ -3,6 +3,7 @@
 #include "sim/bridge/measured_run.h"
 
 #include "core/number.h"
+#include "sim/bridge/fast_forward.h"
 #include "sim/bridge/repetition.h"
 
 #include <utility>
@@ -13,15 +14,18 @@ namespace {
 /// A run on its way.
 class Measurement {
 public:
-    Measurement(const Program& program, EpisodeSetup setup, const Floor& floor, bool ends_early)
+    Measurement(const Program& program, EpisodeSetup setup, const Floor& floor,
+                const Measuring& measuring)
         : episode_(program, std::move(setup)), coverage_(floor), watch_(episode_),
-          watches_(ends_early && watch_.is_of_use()) {
+          watches_(measuring.ends_early && watch_.is_of_use()), forward_(program),
+          leaps_(measuring.leaps) {
         coverage_.add(episode_.robot().x, episode_.robot().y, 0);
     }
 
     void run_to(std::uint64_t stop) {
-        while (ending_ == Ending::time && tick_ < stop)
-            tick();
+        while (ending_ == Ending::time && tick_ < stop) {
+            if (!leaps_ || !leap(stop - tick_)) tick();
+        }
     }
 
     Measures measures(std::uint64_t stop) const {
@@ -65,6 +69,18 @@ private:
         if (repetition_) ending_ = repetition_->moves ? Ending::orbit : Ending::stuck;
     }
 
+    /// Lets ticks pass; false if the next one has to be ticked.
+    bool leap(std::uint64_t most) {
+        places_.clear();
+        const std::uint64_t ticks = forward_.leap(episode_, most, &places_);
+        if (ticks == 0) return false;
+        driven_.add(episode_.robot(), episode_.setup().dt, ticks);
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            coverage_.add(places_[i].x, places_[i].y, tick_ + i + 1);
+        tick_ += ticks;
+        return true;
+    }
+
     double dirt() const {
         double collected = 0.0;
         for (const double left : episode_.surroundings().dirt)
@@ -78,6 +94,9 @@ private:
     RepetitionWatch watch_;
     bool watches_;
     std::optional<Repetition> repetition_;
+    FastForward forward_;
+    bool leaps_;
+    std::vector<Point> places_;  // of the last leap
     std::uint64_t tick_ = 0;
     Ending ending_ = Ending::time;
 };
@@ -97,7 +116,7 @@ std::string_view name_of(Ending ending) {
 
 MeasuredRun measured_run(const Program& program, EpisodeSetup setup, const Floor& floor,
                          const Measuring& measuring) {
-    Measurement measurement(program, std::move(setup), floor, measuring.ends_early);
+    Measurement measurement(program, std::move(setup), floor, measuring);
     MeasuredRun run;
     for (const std::uint64_t stop : measuring.stops) {
         measurement.run_to(stop);

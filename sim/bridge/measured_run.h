@@ -27,6 +27,7 @@ struct Measuring {
     std::vector<std::uint64_t> stops;  ///< the last is the end of the run
     std::vector<std::uint64_t> curve;  ///< in which only the coverage is taken
     bool ends_early = true;            ///< when nothing more can be covered: stuck, orbit
+    bool leaps = false;  ///< over ticks in which nothing is decided: see fast_forward.h
 };
 
 /// How a run ended.

@@ -221,6 +221,18 @@ TEST_CASE("sweep: variables that a behaviour does not have, at their place in th
                        "\"angle\"? [unknown-variable]\n") != std::string::npos);
 }
 
+TEST_CASE("sweep: a tree whose variables only the sweep gives values to") {
+    MemoryFiles files;
+    files.content["s.json"] = R"({"behaviours": [{"file": "t.xml", "set": {"rate": 2}}],
+"parameters": [{"name": "speed", "values": [0.1, 0.4]}], "times": [1]})";
+    files.content["t.xml"] = R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence>
+<MoveForward speed="{speed}"/><Rotate rate="{rate}"/></Sequence></BehaviorTree></root>)";
+    const Ran ran = run_words(files, {"sweep", "s.json", "--out", "rows.csv"});
+    CHECK(ran.err == "");
+    CHECK(ran.exit == Exit::yes);
+    CHECK(line(files.content["rows.csv"], 2).starts_with("1,t.xml,lab,0.4,0,1,"));
+}
+
 TEST_CASE("sweep: behaviours that fail are counted, and their rows say so") {
     MemoryFiles files = sweep_files();
     files.content["d/s.json"] = R"({"behaviours": [{"file": "b.xml"}], "times": [1],

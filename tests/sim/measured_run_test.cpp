@@ -48,6 +48,33 @@ TEST_CASE("measured run: each stop says what the run amounts to by then") {
     CHECK(run.message == "");
 }
 
+TEST_CASE("measured run: leaping over ticks changes a cell here and there at most") {
+    const Roombas registry;
+    const Floor floor = floor_of(LabWorld{});
+    for (const char* file : {"trees/roomba.xml", "machines/roomba.scxml"}) {
+        const Program program = test::program_of(file, registry);
+        for (std::int64_t seed = 0; seed < 5; ++seed) {
+            const auto run = [&](bool leaps) {
+                return measured_run(program, {.random = Random(seed)}, floor,
+                                    {.stops = {10'000, 36'000}, .curve = {20'000}, .leaps = leaps});
+            };
+            const MeasuredRun ticked = run(false);
+            const MeasuredRun leaped = run(true);
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Measures& a = ticked.stops[i];
+                const Measures& b = leaped.stops[i];
+                CHECK(b.driven.distance == doctest::Approx(a.driven.distance).epsilon(1e-9));
+                CHECK(b.driven.turns == a.driven.turns);
+                CHECK(b.driven.bumps == a.driven.bumps);
+                CHECK(b.ended == a.ended);
+                // a way is swept in pieces, which rounding may cut elsewhere
+                CHECK(b.covered <= a.covered + 2);
+                CHECK(a.covered <= b.covered + 2);
+            }
+        }
+    }
+}
+
 TEST_CASE("measured run: dirt is counted, the battery's dock is in the world") {
     const Roombas registry;
     const Program program = test::program_of("trees/roomba.xml", registry);
