@@ -169,9 +169,9 @@ bool same_content(const Document& a, const Document& b);
 struct DocumentLimits {
     std::size_t bytes = std::size_t{64} << 20;  ///< of text; never more than 2 GiB
     std::uint32_t depth = 256;                  ///< nested elements, as in BehaviorTree.CPP
-    std::uint32_t elements = 1'250'000;
-    std::uint32_t attributes = 2'500'000;
-    std::uint32_t values = 3'000'000;  ///< of JSON: numbers, texts, arrays, objects
+    std::uint32_t elements = 1'100'000;
+    std::uint32_t attributes = 2'000'000;
+    std::uint32_t values = 2'500'000;  ///< of JSON: numbers, texts, arrays, objects
 };
 
 }  // namespace trellis

@@ -48,7 +48,7 @@ struct LoadOptions {
     /// known. The text is needed during load() only.
     const Source* substitutions = nullptr;
     DocumentLimits limits = {};
-    std::uint32_t rows = 4'000'000;  ///< of a program, with all subtrees expanded
+    std::uint32_t rows = 1'048'576;  ///< of a program, with all subtrees expanded
     std::uint32_t includes = 1000;   ///< that are read; what they name obeys `limits` together
 };
 
