@@ -39,6 +39,7 @@ public:
 
     Program program;
     Substitutions* substitutions = nullptr;  ///< null: no node is replaced
+    std::vector<SlotId> unset = {};          ///< of trees: what nothing gives a value, sorted
 
     const Registry& registry() const { return registry_; }
     const Grammar& grammar() const { return trees_; }

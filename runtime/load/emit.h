@@ -53,6 +53,12 @@ public:
     /// except that an undeclared `pi` is π.
     virtual Meaning variable(std::string_view name, Use use) = 0;
 
+    /// In trees: variable `slot` is given this value, or an unknown number, at byte `offset` of the
+    /// text. Said only if the text alone tells.
+    virtual void assigned(std::uint32_t slot, const Value& value, std::uint32_t offset) {
+        static_cast<void>(slot), static_cast<void>(value), static_cast<void>(offset);
+    }
+
     /// The sensor that expressions call _x.NAME; `undeclared` makes it a member of the variable _x.
     virtual Meaning sensor(std::string_view name) = 0;
 

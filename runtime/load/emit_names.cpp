@@ -150,7 +150,25 @@ void Emitter::tree_assignment(std::uint32_t n, std::uint32_t t, bool last) {
         add(place, CodeOp::require, t, false, {.a = slot});
     }
     const CodeOp op = creates ? CodeOp::assign : node(n).op;
-    add(n, op, t, last, {.a = slot, .b = value(right)});
+    const Operand given = value(right);
+    tell_assigned(place, meaning.index, op, right, given);
+    add(n, op, t, last, {.a = slot, .b = given});
+}
+
+void Emitter::tell_assigned(std::uint32_t place, std::uint32_t slot, CodeOp op, std::uint32_t right,
+                            Operand given) {
+    const SyntaxNode& it = node(right);
+    const bool computes =
+        it.kind == SyntaxKind::unary || it.kind == SyntaxKind::comparisons ||
+        (it.kind == SyntaxKind::binary && it.op != CodeOp::add && it.op != CodeOp::concatenate);
+    if (op != CodeOp::assign) {
+        // += also joins texts
+        if (op != CodeOp::assign_add) { names_.assigned(slot, Value::real(0), node(place).offset); }
+    } else if (const Value* known = constant_at(given); known != nullptr) {
+        names_.assigned(slot, *known, node(place).offset);
+    } else if (computes) {
+        names_.assigned(slot, Value::real(0), node(place).offset);
+    }
 }
 
 void Emitter::call(std::uint32_t n, std::uint32_t t, bool last) {

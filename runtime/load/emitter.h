@@ -102,6 +102,9 @@ private:
     // BehaviorTree.CPP: := creates the entry before it evaluates the right-hand side, the others
     // ask for it
     void tree_assignment(std::uint32_t n, std::uint32_t t, bool last);
+    // for Names::assigned()
+    void tell_assigned(std::uint32_t place, std::uint32_t slot, CodeOp op, std::uint32_t right,
+                       Operand given);
 
     // ---- calls ----
     void call(std::uint32_t n, std::uint32_t t, bool last);

@@ -154,7 +154,26 @@ bool chain(const CodeTable& code, const Instruction* in, std::vector<FormulaStep
     return true;
 }
 
+/// The operand that the code is a copy of; null if it computes.
+const Operand* copied(const CodeTable& code, CodeId id) {
+    if (!id) { return nullptr; }
+    const Instruction& in = code.instructions[id.index];
+    return in.op == CodeOp::copy && in.last ? &in.a : nullptr;
+}
+
 }  // namespace
+
+const Value* literal_of(const CodeTable& code, CodeId id) {
+    const Operand* const operand = copied(code, id);
+    const bool is_literal = operand != nullptr && operand->space() == Space::constant;
+    return is_literal ? &code.constants[operand->index()] : nullptr;
+}
+
+SlotId variable_of(const CodeTable& code, CodeId id) {
+    const Operand* const operand = copied(code, id);
+    const bool is_variable = operand != nullptr && operand->space() == Space::slot;
+    return is_variable ? SlotId{operand->index()} : SlotId();
+}
 
 Condition find_condition(Program& program, CodeId code) {
     if (!code) { return {}; }

@@ -131,9 +131,9 @@ std::optional<Program> load(Source source, const Registry& registry, Diagnostics
         builder.name_enumerators();
         // rules replace nodes on purpose, and what an error leaves is no whole program
         if (diagnostics.ok() && !rules) {
-            check_trees(builder.program, diagnostics);
+            check_trees(builder.program, builder.unset, diagnostics);
             for (const Program& machine : builder.program.machines) {
-                check_trees(machine, diagnostics);
+                check_trees(machine, {}, diagnostics);
             }
         }
         program = std::move(builder.program);

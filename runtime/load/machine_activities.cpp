@@ -1,6 +1,7 @@
 // What states invoke: leaves and trees with their parameters, machines with what they are given.
 // SPDX-License-Identifier: MIT
 #include "load/check.h"
+#include "load/forms.h"
 #include "load/machine_compiler.h"
 #include "load/words.h"
 
@@ -160,13 +161,10 @@ void MachineCompiler::leaf_param(ElementId param, RowId state, const LeafType& t
     if (port->direction != PortDirection::output) {
         const CodeId code = param_code(param, state);
         if (!code) { return; }
-        const Instruction& first = builder_.program.code.instructions[code.index];
-        const bool literal =
-            first.last && first.op == CodeOp::copy && first.a.space() == Space::constant;
-        if (!literal) {
+        const Value* const literal = literal_of(builder_.program.code, code);
+        if (literal == nullptr) {
             builder_.set_live(*port, code);
-        } else if (const Value value = builder_.program.code.constants[first.a.index()];
-                   !builder_.set_literal(*port, value)) {
+        } else if (const Value value = *literal; !builder_.set_literal(*port, value)) {
             diagnostics.error("bad-value", document().at(param).where,
                               print(value) + " is not of the type of \"" + port->name + "\", " +
                                   std::string(name_of(port->type)));
@@ -193,7 +191,13 @@ void MachineCompiler::tree_params(ElementId e, RowId invoke, Scopes& scopes) {
     for (const ElementId c : document().children(e)) {
         const Attribute* name = document().find(c, "name");
         if (document().name(c) != "param" || name == nullptr) { continue; }
-        const SlotId slot = scopes.variable({0}, document().string(name->value));
+        const std::string_view port = document().string(name->value);
+        if (!scopes.find({0}, port)) {
+            builder_.diagnostics().warning("unused-parameter", name->value_where,
+                                           "nothing in the tree uses \"" + std::string(port) + '"' +
+                                               suggestion(port, scopes.names({0})));
+        }
+        const SlotId slot = scopes.variable({0}, port);
         scopes.written(slot);
         const CodeId code = param_code(c, program.at(invoke).parent);
         if (code) { program.params.push_back({slot, code}); }

@@ -1,6 +1,7 @@
 // Executable content and data of machines: elements to actions (SCXML 4 and 5).
 // SPDX-License-Identifier: MIT
 #include "load/expression.h"
+#include "load/forms.h"
 #include "load/machine_compiler.h"
 #include "load/text.h"
 #include "load/words.h"
@@ -239,9 +240,8 @@ void MachineCompiler::add_data(ElementId data, RowId state, std::vector<BlockId>
         code = text_value(data, state);
     }
     if (!code) { return; }
-    const Instruction& first = program.code.instructions[code.index];
-    if (!late_ && first.last && first.op == CodeOp::copy && first.a.space() == Space::constant) {
-        program.slots[slot->second.index].initial = program.code.constants[first.a.index()];
+    if (const Value* const value = literal_of(program.code, code); !late_ && value != nullptr) {
+        program.slots[slot->second.index].initial = *value;
         return;
     }
     found.push_back(next_action());

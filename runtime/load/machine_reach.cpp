@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "load/machine_reach.h"
 
+#include "load/forms.h"
+
 #include <cstdint>
 
 namespace trellis {
@@ -9,11 +11,8 @@ namespace trellis {
 namespace {
 
 bool is_literal(const Program& program, const Transition& transition, bool truth) {
-    if (!transition.guard.code) { return false; }
-    const Instruction& in = program.code.instructions[transition.guard.code.index];
-    if (in.op != CodeOp::copy || !in.last || in.a.space() != Space::constant) { return false; }
-    const Value& value = program.code.constants[in.a.index()];
-    return value.is(Value::Kind::boolean) && value.as_boolean() == truth;
+    const Value* const value = literal_of(program.code, transition.guard.code);
+    return value != nullptr && value->is(Value::Kind::boolean) && value->as_boolean() == truth;
 }
 
 bool has_states(Op op) {

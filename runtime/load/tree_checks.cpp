@@ -38,6 +38,8 @@ std::string reason_of(const Program& program, const NeverTicked& rows) {
     case no_attempts: return "num_attempts is 0";
     case no_elements: return "the queue is empty";
     case same_case: return "its case is that of " + with_line(program, rows.cause);
+    case no_variable:
+        return "nothing gives the variable of " + with_line(program, rows.cause) + " a value";
     }
     return {};
 }
@@ -59,8 +61,9 @@ void keep_places(const Program& program, std::vector<Found>& all, RowOf row_of) 
 
 }  // namespace
 
-void check_trees(const Program& program, Diagnostics& diagnostics) {
-    TreeStatuses found = find_statuses(program);
+void check_trees(const Program& program, const std::vector<SlotId>& unset,
+                 Diagnostics& diagnostics) {
+    TreeStatuses found = find_statuses(program, unset);
     keep_places(program, found.never_ticked, [](const NeverTicked& rows) { return rows.first; });
     for (const NeverTicked& rows : found.never_ticked) {
         // `_skipIf="true"` is written to switch a node off: its author knows

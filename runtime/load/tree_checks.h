@@ -7,10 +7,14 @@
 #include "core/program.h"
 #include "load/diagnostics.h"
 
+#include <vector>
+
 namespace trellis {
 
 /// Warns about the trees of `program`, which was compiled without errors; each place once, however
-/// often a subtree is used. Linear in the rows.
-void check_trees(const Program& program, Diagnostics& diagnostics);
+/// often a subtree is used. `unset`: the variables to which nothing gives a value, sorted. Linear
+/// in the rows.
+void check_trees(const Program& program, const std::vector<SlotId>& unset,
+                 Diagnostics& diagnostics);
 
 }  // namespace trellis

@@ -22,19 +22,10 @@ bool is_explicit(std::string_view element) {
            std::end(explicit_forms);
 }
 
-/// The type of the entry that a parameter of a SubTree makes (TREES §2.3).
-PortType literal_type(const Value& value) {
-    if (value.is(Value::Kind::text)) { return PortType::text; }
-    if (value.is(Value::Kind::real)) { return PortType::real; }
-    if (!value.is(Value::Kind::integer)) { return PortType::any; }
-    const std::int64_t number = value.as_integer();
-    return number == static_cast<std::int32_t>(number) ? PortType::int32 : PortType::int64;
-}
-
 }  // namespace
 
 TreeCompiler::TreeCompiler(Builder& builder, TreeFiles& files, InvokedMachines& machines)
-    : builder_(builder), files_(files), machines_(machines), scopes_(builder) {
+    : builder_(builder), files_(files), machines_(machines), scopes_(builder), types_(builder) {
     for (const OpInfo& op : op_table()) {
         const bool node = op.group == OpGroup::control || op.group == OpGroup::decorator ||
                           op.group == OpGroup::action || op.group == OpGroup::condition;
@@ -65,7 +56,22 @@ void TreeCompiler::finish() {
         const SlotId slot = scopes_.find(main_scope(), name);
         if (slot) { scopes_.written(slot); }
     }
+    finish_checks();
     scopes_.check_needed();
+    std::vector<SlotId>& unset = builder_.unset;
+    const std::vector<SlotId> more = scopes_.never_written();
+    unset.insert(unset.end(), more.begin(), more.end());
+    std::sort(unset.begin(), unset.end());
+}
+
+// What can be said of any tree that is compiled as a whole.
+void TreeCompiler::finish_checks() {
+    types_.report();
+    // what an error has left out may have been the use
+    if (!builder_.diagnostics().ok() || builder_.substitutions != nullptr) { return; }
+    for (const Unused& unused : unused_) {
+        builder_.diagnostics().warning("unused-parameter", unused.where, unused.message);
+    }
 }
 
 void TreeCompiler::check_unreached() {
@@ -76,12 +82,24 @@ void TreeCompiler::check_unreached() {
         scratch.substitutions = builder_.substitutions;
         TreeCompiler compiler(scratch, files_, machines_);
         compiler.tree(source, {});
+        compiler.finish_checks();
         if (builder_.diagnostics().ok() && builder_.substitutions == nullptr) {
-            check_trees(scratch.program, builder_.diagnostics());
+            check_trees(scratch.program, {}, builder_.diagnostics());
         }
         for (const std::string_view id : compiler.reached_) {
             reached_.insert(id);
         }
+    }
+}
+
+void TreeCompiler::report_unused_trees(const TreeSource& main) {
+    if (!builder_.diagnostics().ok() || builder_.substitutions != nullptr) { return; }
+    for (const TreeSource& source : files_.trees()) {
+        if (source.file != main.file || reached_.contains(source.id)) { continue; }
+        builder_.diagnostics().warning(
+            "unused-tree", source.file->document.at(source.element).where,
+            "the tree \"" + source.id + "\" is never used: no SubTree leads to it from \"" +
+                main.id + '"');
     }
 }
 
@@ -155,7 +173,7 @@ void TreeCompiler::leaf_port(const Place& place, const Port& port, const Attribu
     if (port.direction != PortDirection::output) {
         builder_.set_live(port, builder_.variable(slot, Dialect::tree));
         const bool may_be_absent = port.present != Port::always || port.type == PortType::any;
-        if (!may_be_absent) { scopes_.needed(slot, attribute.value_where); }
+        if (!may_be_absent) { scopes_.needed(slot, attribute.value_where, next_row()); }
     }
     if (port.direction != PortDirection::input) {
         builder_.set_output(port, slot);
@@ -180,7 +198,9 @@ void TreeCompiler::conditions(const Place& place, RowId n) {
     for (const auto& [name, member] : all) {
         const Attribute* attribute = document(place).find(place.element, name);
         if (attribute == nullptr || attribute->value.size == 0) { continue; }
-        found.*member = script(place, *attribute);
+        // halting the whole tree runs this one for nodes that were never ticked, too
+        const RowId turn = name == "_onHalted" ? RowId() : n;
+        found.*member = compiled(place, text_of(place, *attribute), turn);
     }
     if (found == Conditions()) { return; }
     builder_.program.rows[n.index].conditional = true;
@@ -225,6 +245,34 @@ void TreeCompiler::subtree(const Place& place) {
     children_of({tree->file, tree->element, inside, n}, n);
     expanding_.pop_back();
     builder_.close(n);
+    find_unused(place, inside, files_.model(name));
+}
+
+// The attributes of a <SubTree> that mean nothing in the tree, nor in what its model says.
+void TreeCompiler::find_unused(const Place& place, ScopeId inside,
+                               const std::vector<SubtreePort>* model) {
+    const Document& doc = document(place);
+    for (const Attribute& attribute : doc.attributes_of(place.element)) {
+        const std::string_view name = doc.string(attribute.name);
+        if (name == "ID" || name == "name" || name.starts_with('_')) { continue; }
+        if (scopes_.is_used(inside, name)) { continue; }
+        std::vector<std::string_view> known = scopes_.names(inside);
+        if (model != nullptr) {
+            const auto is_this = [&](const SubtreePort& port) { return port.name == name; };
+            if (std::any_of(model->begin(), model->end(), is_this)) { continue; }
+            for (const SubtreePort& port : *model) {
+                known.push_back(port.name);
+            }
+        }
+        if (!known_unused_.insert(&attribute).second) { continue; }
+        const auto is_given = [&](std::string_view other) {
+            return doc.find(place.element, other) != nullptr;
+        };
+        known.erase(std::remove_if(known.begin(), known.end(), is_given), known.end());
+        unused_.push_back({attribute.where,
+                           "nothing in the tree \"" + std::string(doc.value(place.element, "ID")) +
+                               "\" uses \"" + std::string(name) + '"' + suggestion(name, known)});
+    }
 }
 
 bool TreeCompiler::is_recursive(std::string_view id, Where where) {
@@ -251,9 +299,10 @@ void TreeCompiler::parameters(const Place& place, ScopeId inside,
         if (name == "ID" || name == "name" || name.starts_with('_')) { continue; }
         const std::string_view value = doc.string(attribute.value);
         if (is_json_literal(value)) {
-            local(inside, name, json_literal(builder_, text_of(place, attribute)));
+            local(inside, name, json_literal(builder_, text_of(place, attribute)),
+                  attribute.value_where);
         } else {
-            parameter(inside, name, value);
+            parameter(inside, name, value, attribute.value_where);
         }
     }
     // with _autoremap what is not given is shared, even if it has a default
@@ -261,7 +310,7 @@ void TreeCompiler::parameters(const Place& place, ScopeId inside,
         for (const SubtreePort& port : *model) {
             if (doc.find(place.element, port.name) != nullptr) { continue; }
             if (port.has_initial) {
-                parameter(inside, port.name, port.initial);
+                parameter(inside, port.name, port.initial, port.where);
             } else {
                 builder_.diagnostics().error("missing-parameter", doc.at(place.element).where,
                                              "the tree \"" +
@@ -274,18 +323,19 @@ void TreeCompiler::parameters(const Place& place, ScopeId inside,
 }
 
 // {key} shares a variable with the scope around; a literal is a variable of the subtree itself.
-void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_view value) {
+void TreeCompiler::parameter(ScopeId inside, std::string_view name, std::string_view value,
+                             Where where) {
     if (is_pointer(value)) {
         scopes_.remap(inside, name, pointer_key(value, name));
         return;
     }
-    local(inside, name, literal_value(value));
+    local(inside, name, literal_value(value), where);
 }
 
-void TreeCompiler::local(ScopeId inside, std::string_view name, Value value) {
+void TreeCompiler::local(ScopeId inside, std::string_view name, Value value, Where where) {
     const SlotId slot = scopes_.local(inside, name);
+    types_.begins(slot, value, where);
     builder_.set_initial(slot, std::move(value));
-    scopes_.bind_type(slot, literal_type(builder_.program.slots[slot.index].initial));
     scopes_.written(slot);
 }
 
@@ -300,6 +350,8 @@ void compile_tree(ReadFile file, Builder& builder) {
     if (const TreeSource* main = files.main_tree(builder.options().main_tree); main != nullptr) {
         compiler.tree(*main, {});
         compiler.finish();
+        // who names another main tree uses the file in more than one way
+        if (builder.options().main_tree.empty()) { compiler.report_unused_trees(*main); }
     }
     compiler.check_unreached();
     machines.compile();

@@ -10,6 +10,7 @@
 #include "load/invoked_machines.h"
 #include "load/scopes.h"
 #include "load/tree_files.h"
+#include "load/variable_types.h"
 
 #include <string>
 #include <string_view>
@@ -28,10 +29,13 @@ public:
 
     /// Compiles `tree` as a whole tree below row `parent` (none: as row 0).
     RowId tree(const TreeSource& tree, RowId parent);
-    /// To be called after the last tree: finds variables that nothing writes.
+    /// To be called after the last tree: finds variables that nothing writes, that are taken for
+    /// values of different types, and parameters that nothing uses.
     void finish();
     /// Trees that were not reached are compiled too, for their faults, and thrown away.
     void check_unreached();
+    /// Warns of the trees of the main file to which nothing leads from `main`.
+    void report_unused_trees(const TreeSource& main);
     Scopes& scopes() { return scopes_; }
     ScopeId main_scope() const { return {0}; }
 
@@ -48,8 +52,10 @@ private:
     void leaf(const Place& place, const LeafType& type);
     void subtree(const Place& place);
     void parameters(const Place& place, ScopeId inside, const std::vector<SubtreePort>* model);
-    void parameter(ScopeId inside, std::string_view name, std::string_view value);
-    void local(ScopeId inside, std::string_view name, Value value);
+    void parameter(ScopeId inside, std::string_view name, std::string_view value, Where where);
+    void local(ScopeId inside, std::string_view name, Value value, Where where);
+    void find_unused(const Place& place, ScopeId inside, const std::vector<SubtreePort>* model);
+    void finish_checks();
     bool is_recursive(std::string_view id, Where where);
     void children_of(const Place& place, RowId n);
 
@@ -64,8 +70,10 @@ private:
     void keep_skips(RowId question);
     /// An entry that a port of that type is bound to has this type from the beginning.
     void declare(SlotId slot, PortType type, Where where);
-    CodeId script(const Place& place, const Attribute& attribute);
-    CodeId compiled(const Place& place, const Builder::Text& script);
+    /// The script of row `n`; none: it may run although the row is never ticked.
+    CodeId compiled(const Place& place, const Builder::Text& script, RowId n);
+    /// The row that is opened next.
+    RowId next_row() const { return {static_cast<std::uint32_t>(builder_.program.rows.size())}; }
 
     // machines as nodes: tree_machines.cpp
     std::uint32_t machine(const Place& place);
@@ -92,11 +100,18 @@ private:
     TreeFiles& files_;
     InvokedMachines& machines_;
     Scopes scopes_;
+    VariableTypes types_;
     std::unordered_map<std::string_view, Op> built_ins_;
     std::unordered_map<std::string_view, const LeafType*> leaves_;
     std::vector<std::string> paths_;           // by scope: before the nodes in it; for rules only
     std::vector<std::string_view> expanding_;  // IDs of the subtrees being compiled
     std::unordered_set<std::string_view> reached_;
+    struct Unused {
+        Where where;
+        std::string message;
+    };
+    std::vector<Unused> unused_;  // parameters of subtrees
+    std::unordered_set<const Attribute*> known_unused_;
 };
 
 }  // namespace trellis

@@ -144,7 +144,7 @@ void TreeFiles::add_models(const ReadFile& file, ElementId e) {
             if (!document.name(port).ends_with("_port")) { continue; }
             ports.push_back({std::string(document.value(port, "name")),
                              std::string(document.value(port, "default")),
-                             document.find(port, "default") != nullptr});
+                             document.find(port, "default") != nullptr, document.at(port).where});
         }
     }
 }

@@ -26,6 +26,7 @@ struct SubtreePort {
     std::string name;
     std::string initial;
     bool has_initial = false;
+    Where where = {};
 };
 
 class TreeFiles {

@@ -20,8 +20,10 @@ namespace {
 /// What names mean in the scripts of a tree.
 class TreeNames final : public Names {
 public:
-    TreeNames(Builder& builder, Scopes& scopes, ScopeId scope, Builder::Text text)
-        : builder_(builder), scopes_(scopes), scope_(scope), text_(text) {}
+    TreeNames(Builder& builder, Scopes& scopes, VariableTypes& types, ScopeId scope, RowId row,
+              Builder::Text text)
+        : builder_(builder), scopes_(scopes), types_(types), scope_(scope), row_(row), text_(text) {
+    }
 
     Meaning variable(std::string_view name, Use use) override {
         if (use != Use::create) {
@@ -43,9 +45,12 @@ public:
         if (use == Use::create) {
             scopes_.written(slot);
         } else {
-            scopes_.needed(slot, builder_.place_of(text_, name));
+            scopes_.needed(slot, builder_.place_of(text_, name), row_);
         }
         return {.kind = Meaning::Kind::slot, .index = slot.index, .value = {}, .message = {}};
+    }
+    void assigned(std::uint32_t slot, const Value& value, std::uint32_t offset) override {
+        types_.given({slot}, value, builder_.place_in(text_, offset));
     }
     Meaning sensor(std::string_view name) override { return builder_.sensor(name); }
     Meaning elapsed() override {
@@ -63,7 +68,9 @@ public:
 private:
     Builder& builder_;
     Scopes& scopes_;
+    VariableTypes& types_;
     ScopeId scope_;
+    RowId row_;  // whose script it is
     Builder::Text text_;
 };
 
@@ -215,14 +222,14 @@ std::uint32_t TreeCompiler::ports(const Place& place, Op op) {
 
 CodeId TreeCompiler::port_code(const Place& place, Op op, std::string_view name,
                                std::string_view type, const Attribute& attribute) {
-    if (type == "script") { return script(place, attribute); }
+    if (type == "script") { return compiled(place, text_of(place, attribute), next_row()); }
     const std::string_view value = document(place).string(attribute.value);
     if (is_pointer(value)) {
         const SlotId slot = scopes_.variable(place.scope, pointer_key(value, name));
         declare(slot, port_type(type), attribute.value_where);
         // a text that is missing decides something; a number that is missing ends the run
         const bool needed = type != "text" && type != "any";
-        if (needed) { scopes_.needed(slot, attribute.value_where); }
+        if (needed) { scopes_.needed(slot, attribute.value_where, next_row()); }
         return builder_.variable(slot, Dialect::tree);
     }
     if (name == "queue") { return queue(attribute, value, op); }
@@ -235,22 +242,15 @@ CodeId TreeCompiler::port_code(const Place& place, Op op, std::string_view name,
     return builder_.constant(builder_.enumerated(value), Dialect::tree);
 }
 
-CodeId TreeCompiler::script(const Place& place, const Attribute& attribute) {
-    return compiled(place, text_of(place, attribute));
-}
-
-CodeId TreeCompiler::compiled(const Place& place, const Builder::Text& script) {
-    TreeNames names(builder_, scopes_, place.scope, script);
+CodeId TreeCompiler::compiled(const Place& place, const Builder::Text& script, RowId n) {
+    TreeNames names(builder_, scopes_, types_, place.scope, n, script);
     return builder_.expression(script, Dialect::tree, SyntaxMode::script, names);
 }
 
 void TreeCompiler::declare(SlotId slot, PortType type, Where where) {
     Slot& entry = builder_.program.slots[slot.index];
     if (entry.type == EntryType::missing) { entry.type = entry_type(type); }
-    if (scopes_.bind_type(slot, type)) { return; }
-    builder_.diagnostics().error("type-clash", where,
-                                 "\"" + entry.name + "\" is " + std::string(name_of(type)) +
-                                     " here, but another port gives it another type");
+    types_.bound(slot, type, where);
 }
 
 // "1;2;3" as an array of what the loop takes.
@@ -303,6 +303,7 @@ SlotId TreeCompiler::named_entry(const Place& place, Op op) {
     const bool pointer = is_pointer(key);
     if (pointer) { key = pointer_key(key, port); }
     if (op == Op::set_blackboard && pointer) { scopes_.all_written(place.scope); }
+    if (op == Op::unset_blackboard && pointer) { scopes_.all_used(place.scope); }
     if ((op == Op::set_blackboard || op == Op::unset_blackboard) && pointer) { return {}; }
     // what is removed is an entry of this very blackboard
     if (op == Op::unset_blackboard) { return scopes_.own(place.scope, key); }
@@ -311,6 +312,12 @@ SlotId TreeCompiler::named_entry(const Place& place, Op op) {
     builder_.program.counts_writes = builder_.program.counts_writes || watches;
     if (is_queue_loop(op)) { declare(slot, element_type(op), attribute->value_where); }
     if (!watches) { scopes_.written(slot); }
+    const Attribute* value = document(place).find(place.element, "value");
+    if (op == Op::set_blackboard && value != nullptr) {
+        const std::string_view text = document(place).string(value->value);
+        const bool is_text = !is_pointer(text) && !is_json_literal(text);
+        if (is_text) { types_.given(slot, Value::text(text), value->value_where); }
+    }
     return slot;
 }
 

@@ -4,6 +4,7 @@
 #include "load/tree_statuses.h"
 
 #include "core/ports.h"
+#include "load/forms.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,7 +18,8 @@ using Reason = NeverTicked::Reason;
 
 class Analysis {
 public:
-    explicit Analysis(const Program& program) : program_(program) {}
+    Analysis(const Program& program, const std::vector<SlotId>& unset)
+        : program_(program), unset_(unset) {}
 
     TreeStatuses find() {
         found_.by_row.resize(program_.rows.size());
@@ -59,7 +61,7 @@ private:
     CodeId port(const Row& row, std::uint32_t i) const {
         return program_.ports[program_.nodes[row.arg].first_port + i];
     }
-    const Value* literal(CodeId code) const;
+    const Value* literal(CodeId code) const { return literal_of(program_.code, code); }
     std::optional<std::int64_t> integer(CodeId code) const;
     std::optional<bool> truth(CodeId code) const;
     StatusSet status(CodeId code) const;
@@ -78,6 +80,7 @@ private:
     void drop_inner();
 
     const Program& program_;
+    const std::vector<SlotId>& unset_;
     TreeStatuses found_;
 };
 
@@ -230,6 +233,15 @@ StatusSet Analysis::branch(RowId n) {
 }
 
 StatusSet Analysis::switched(RowId n, const Row& row) {
+    const SlotId variable = variable_of(program_.code, port(row, 0));
+    if (std::binary_search(unset_.begin(), unset_.end(), variable)) {
+        RowId last{n.index + 1};
+        while (program_.at(last).end != row.end) {
+            last = program_.at(last).end;
+        }
+        never({n.index + 1}, last, n, Reason::no_variable);
+        return of(last);
+    }
     StatusSet result;
     std::uint32_t i = 1;
     for (const RowId child : children(program_, n)) {
@@ -380,14 +392,6 @@ bool Analysis::keeps_its_status(RowId n) const {
 
 // Literals ----------------------------------------------------------------------------------------
 
-// What the code always gives, or null: code that computes is not looked into.
-const Value* Analysis::literal(CodeId code) const {
-    if (!code) { return nullptr; }
-    const Instruction& in = program_.code.instructions[code.index];
-    const bool is_literal = in.op == CodeOp::copy && in.last && in.a.space() == Space::constant;
-    return is_literal ? &program_.code.constants[in.a.index()] : nullptr;
-}
-
 std::optional<std::int64_t> Analysis::integer(CodeId code) const {
     const Value* const value = literal(code);
     std::int64_t result = 0;
@@ -433,8 +437,8 @@ void Analysis::drop_inner() {
 
 }  // namespace
 
-TreeStatuses find_statuses(const Program& program) {
-    return Analysis(program).find();
+TreeStatuses find_statuses(const Program& program, const std::vector<SlotId>& unset) {
+    return Analysis(program, unset).find();
 }
 
 }  // namespace trellis

@@ -61,6 +61,7 @@ struct NeverTicked {
         no_attempts,     ///< …
         no_elements,     ///< …
         same_case,       ///< of a Switch: an earlier one is equal
+        no_variable,     ///< of a Switch: nothing gives it a value, so the last child is ticked
     };
     RowId first, end;
     RowId cause;  ///< a row the reason speaks of; of a Switch the child of the earlier case
@@ -74,7 +75,8 @@ struct TreeStatuses {
     std::vector<RowId> endless;
 };
 
-/// Looks at all trees of a program that was compiled without errors. Linear in its rows.
-TreeStatuses find_statuses(const Program& program);
+/// Looks at all trees of a program that was compiled without errors. Linear in its rows. `unset`
+/// are variables that never have a value, sorted.
+TreeStatuses find_statuses(const Program& program, const std::vector<SlotId>& unset = {});
 
 }  // namespace trellis

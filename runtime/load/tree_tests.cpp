@@ -76,8 +76,9 @@ void TreeCompiler::test(const Place& place, const TestConfig& config) {
     ReadFile rules;
     rules.document.spelling = Document::Spelling::json;
     const auto code = [&](const RuleScript& script) {
-        return script.text.empty() ? CodeId()
-                                   : compiled(place, {&rules, script.text, script.where});
+        return script.text.empty()
+                   ? CodeId()
+                   : compiled(place, {&rules, script.text, script.where}, next_row());
     };
     TestInfo test{.status = config.status,
                   .status_script = code(config.status_script),

@@ -186,4 +186,33 @@ TEST_CASE("tree checks: inside what is never ticked nothing more is said") {
           "succeeds\n");
 }
 
+TEST_CASE("tree checks: a Switch whose variable nothing sets always ticks its last child") {
+    CHECK(told("<Switch2 variable='{v}' case_1='a' case_2='b'>\n<Leaf name='1' script='S'/>"
+               "<Leaf name='2' script='S'/><Leaf script='S'/></Switch2>") ==
+          "2:2: never-ticked: \"1\" is never ticked: nothing gives the variable of \"Switch2\" in "
+          "line 1 a value\n");
+    CHECK(complaints("<root BTCPP_format='4'><BehaviorTree ID='T'><Switch2 variable='{v}' "
+                     "case_1='a' case_2='b'><Leaf script='S'/><Leaf script='S'/><Leaf script='S'/>"
+                     "</Switch2></BehaviorTree></root>",
+                     {.given = {{"v", "a"}}}) == "");
+}
+
+TEST_CASE("tree checks: what is never ticked may read what nothing sets, with a warning") {
+    const std::string reads = "<ScriptCondition code='v == 1'/>";
+    const std::string never = "nothing gives the variable \"v\" a value\n";
+    CHECK(told("<Sequence><Cond script='S'/>" + reads + "</Sequence>") ==
+          "1:96: never-set: " + never);
+    const std::string idle = "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
+                             "<AlwaysFailure/>" +
+                             reads + "</Sequence></BehaviorTree></root>";
+    CHECK(loaded(idle).rows.size() == 4);
+    CHECK(complaints(idle) == "1:72: never-ticked: \"ScriptCondition\" is never ticked: "
+                              "\"AlwaysFailure\" in line 1 never succeeds\n"
+                              "1:94: never-set: " +
+                                  never);
+    // halting the whole tree runs this script of a node that was never ticked, too
+    CHECK(told("<Sequence><AlwaysFailure/>\n<AlwaysSuccess _onHalted='w := v'/></Sequence>") ==
+          "2:32: never-set: " + never);
+}
+
 }  // namespace trellis::test
