@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runner/declarations.h"
 
+#include "load/grammar.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <utility>
 
 namespace trellis {
@@ -30,12 +34,21 @@ PortDirection port_direction(std::string_view element) {
                                      : PortDirection::input;
 }
 
-LeafType declared_leaf(const Document& document, ElementId model) {
+/// How many children a node may have that is declared by such an element; none for a subtree.
+std::optional<std::uint32_t> most_children(std::string_view element) {
+    if (element == "Action" || element == "Condition") { return 0; }
+    if (element == "Decorator") { return 1; }
+    if (element == "Control") { return ElementRule::many; }
+    return {};
+}
+
+LeafType declared_node(const Document& document, ElementId model) {
     LeafType leaf;
     leaf.name = document.value(model, "ID");
     leaf.doc = document.doc(model);
     leaf.condition = document.name(model) == "Condition";
     leaf.synchronous = leaf.condition;
+    leaf.most_children = *most_children(document.name(model));
     leaf.align = alignof(PortSpace);
     // all bytes of a struct are zero before it is constructed: no values, no texts
     leaf.construct = [](std::byte*) {};
@@ -68,25 +81,51 @@ bool declare_file(const std::string& file, Registry& registry, Streams& streams,
         exit = complain(streams, Exit::no, shown_name(file) + " has no TreeNodesModel");
         return false;
     }
-    declare_leaves(*document, registry);
+    declare_nodes(*document, registry);
     return true;
 }
 
-/// Makes every use of a leaf that cannot be ticked an error.
-void refuse_declared(const Program& program, Diagnostics& diagnostics) {
+/// The nodes of a document, and of the files it includes. What is wrong with these is for compiling
+/// to say, which reads them again.
+void declare_all(const Document& document, const std::string& name, const LoadArguments& arguments,
+                 Registry& registry, Streams& streams) {
+    FileReader reader(arguments, streams.files);
+    std::set<std::string> known = {name};
+    std::size_t left = DocumentLimits().bytes;
+    const auto declare = [&](const Document& in, const std::string& from, auto&& self) -> void {
+        declare_nodes(in, registry);
+        for (const ElementId e : in.children(in.root())) {
+            if (in.name(e) != "include" || known.size() > LoadOptions().includes) { continue; }
+            std::optional<Source> source =
+                reader.read(in.value(e, "path"), from, in.value(e, "ros_pkg"));
+            if (!source || source->text.size() > left) { continue; }
+            left -= source->text.size();
+            const std::string included = source->name;
+            if (!known.insert(included).second) { continue; }
+            Diagnostics unsaid;
+            const std::optional<Document> read_in = read(std::move(*source), unsaid);
+            if (read_in && !read_in->empty()) { self(*read_in, included, self); }
+        }
+    };
+    declare(document, name, declare);
+}
+
+/// Makes every use of a node that cannot be ticked an error.
+void refuse_declared(const Program& program, Declared allowed, Diagnostics& diagnostics) {
     for (RowId n{0}; n.index < program.rows.size(); ++n.index) {
         const Op op = program.at(n).op;
-        if ((op != Op::action && op != Op::condition) || !is_declared(*program.call(n).type)) {
-            continue;
-        }
+        if (op != Op::action && op != Op::condition) { continue; }
+        const LeafType& type = *program.call(n).type;
+        const bool fits = allowed == Declared::leaves && type.most_children == 0;
+        if (!is_declared(type) || fits) { continue; }
         const Origin& place = program.origins[n.index];
         diagnostics.error("only-declared", {place.file, place.line, place.column},
-                          program.call(n).type->name +
+                          type.name +
                               " is only declared: it does not run here; a rule of --mock can put "
                               "another node in its place");
     }
     for (const Program& machine : program.machines) {
-        refuse_declared(machine, diagnostics);
+        refuse_declared(machine, allowed, diagnostics);
     }
 }
 
@@ -100,15 +139,16 @@ std::optional<Behaviour> told(Behaviour behaviour, Streams& streams, Exit& exit)
 
 }  // namespace
 
-void declare_leaves(const Document& document, Registry& registry) {
+void declare_nodes(const Document& document, Registry& registry) {
     for (const ElementId models : document.children(document.root())) {
         if (document.name(models) != "TreeNodesModel") { continue; }
         for (const ElementId model : document.children(models)) {
-            const std::string_view kind = document.name(model);
             const std::string_view id = document.value(model, "ID");
-            const bool leaf = kind == "Action" || kind == "Condition";
-            if (!leaf || id.empty() || registry.find(id) != nullptr) { continue; }
-            registry.add(declared_leaf(document, model));
+            const OpTable ops = op_table();
+            const bool built_in = std::any_of(ops.begin(), ops.end(),
+                                              [&](const OpInfo& op) { return op.element == id; });
+            if (!most_children(document.name(model)) || built_in || id.empty()) { continue; }
+            if (registry.find(id) == nullptr) { registry.add(declared_node(document, model)); }
         }
     }
 }
@@ -135,7 +175,7 @@ std::optional<Behaviour> read_declaring(const std::string& file, const LoadArgum
             said.sort();
             return Behaviour{std::move(source.name), {}, std::move(said)};
         }
-        declare_leaves(*document, registry);
+        declare_all(*document, source.name, arguments, registry, streams);
         source.text = said.file_text(0);
     }
     std::optional<Behaviour> behaviour =
@@ -151,11 +191,12 @@ std::optional<Behaviour> load_declaring(const std::string& file, const LoadArgum
 }
 
 std::optional<Behaviour> load_behaviour(const std::string& file, const LoadArguments& arguments,
-                                        Registry& registry, Streams& streams, Exit& exit) {
+                                        Registry& registry, Streams& streams, Exit& exit,
+                                        Declared allowed) {
     std::optional<Behaviour> behaviour = read_declaring(file, arguments, registry, streams, exit);
     if (!behaviour) { return {}; }
     if (behaviour->program) {
-        refuse_declared(*behaviour->program, behaviour->diagnostics);
+        refuse_declared(*behaviour->program, allowed, behaviour->diagnostics);
         behaviour->diagnostics.sort();
         if (!behaviour->diagnostics.ok()) { behaviour->program.reset(); }
     }

@@ -340,7 +340,7 @@ Exit execute(const TryArguments& arguments, Streams& streams) {
     RoombaRegistry registry;
     Exit exit = Exit::yes;
     std::optional<Behaviour> behaviour =
-        load_declaring(arguments.file, arguments.load, registry, streams, exit);
+        load_behaviour(arguments.file, arguments.load, registry, streams, exit, Declared::leaves);
     if (!behaviour) { return exit; }
     Mocks mocks(std::move(*behaviour->program), arguments.no_world);
     for (const std::string& text : arguments.outcomes) {

@@ -120,6 +120,9 @@ struct LeafType {
     /// Answers at once: never running, called in every tick whatever it answered before.
     bool synchronous = false;
     bool condition = false;             ///< returns a bool; shown as Condition, else as Action
+    /// More than 0: no leaf, but a control or, with 1, a decorator of another host, with `tick`
+    /// null. Files that use it can be loaded and looked at, not stepped.
+    std::uint32_t most_children = 0;
     std::uint32_t size = 0, align = 1;  ///< bytes
     const void* host_tag = nullptr;     ///< the host it acts on; null: none
     void (*construct)(std::byte*) = nullptr;

@@ -194,7 +194,9 @@ std::string spelled(const Value& value) {
 
 void add_leaves(GrammarBuilder& builder, const Registry& registry) {
     for (const LeafType& leaf : registry.leaves()) {
-        builder.node(leaf.name, leaf.name, "no_group", 0, 0, ElementRule::Open::closed, leaf.doc);
+        const bool is_leaf = leaf.most_children == 0;
+        builder.node(leaf.name, leaf.name, is_leaf ? "no_group" : "node", is_leaf ? 0 : 1,
+                     leaf.most_children, ElementRule::Open::closed, leaf.doc);
         for (const Port& port : leaf.ports) {
             const Presence presence = port.required ? Presence::required : Presence::optional;
             AttributeRule rule = attribute_rule(port.name, value_type(port), presence,

@@ -5,15 +5,43 @@
 #include "load/event_names.h"
 #include "load/machine_reach.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trellis {
 
 namespace {
+
+/// The event of the platform that `name` was probably meant for: one of its first two words is
+/// right, the other nearly. Empty if there is none, or if it is one.
+std::string meant_for(std::string_view name) {
+    static constexpr std::pair<std::string_view, std::string_view> events[] = {
+        {"done", "state"},
+        {"done", "invoke"},
+        {"error", "execution"},
+        {"error", "communication"},
+        {"error", "platform"}};
+    const std::size_t dot = name.find('.');
+    if (dot == std::string_view::npos) { return {}; }
+    const std::string_view first = name.substr(0, dot);
+    const std::size_t end = std::min(name.find('.', dot + 1), name.size());
+    const std::string_view second = name.substr(dot + 1, end - dot - 1);
+    std::string meant;
+    for (const auto& [one, two] : events) {
+        if (first == one && second == two) { return {}; }
+        const bool nearly = (first == one && !closest(second, {two}).empty()) ||
+                            (second == two && !closest(first, {one}).empty());
+        if (nearly && meant.empty()) {
+            meant = std::string(one) + '.' + std::string(two) + std::string(name.substr(end));
+        }
+    }
+    return meant;
+}
 
 class Checks {
 public:
@@ -23,19 +51,24 @@ public:
 
     void all() {
         states();
+        ends();
         transitions();
         done_events();
+        platform_events();
         if (!machine_.forwards_events) { raised_events(); }
         if (program_.has_eventless && !program_.has_parallel) { cycles(); }
     }
 
 private:
     void states();
+    void ends();
     void transitions();
     void done_events();
+    void platform_events();
     void raised_events();
     void cycles();
 
+    bool has_way_out(RowId n) const;
     std::vector<bool> raised() const;
     std::string why_not_done(std::string_view event) const;
     TransitionId next_of(RowId atomic) const;
@@ -75,6 +108,37 @@ void Checks::states() {
                 "\" is never entered: no transition that can be taken leads there");
         n = program_.at(n).end;
     }
+}
+
+// Where a machine is meant to end, in a top-level <final>, a state without a way out keeps it from
+// that. A machine without one may mean to stay where it is; so may a region, which others leave.
+void Checks::ends() {
+    bool ends = false;
+    for (const RowId n : children(program_, RowId{0})) {
+        ends |= program_.at(n).op == Op::final;
+    }
+    std::vector<bool> left(machine_.rows.size());  // by row: a transition may lead out of it
+    for (RowId n{1}; ends && n.index < machine_.rows.size(); ++n.index) {
+        const RowId parent = program_.at(n).parent;
+        if (!is_state(n)) { continue; }
+        left[n.index] = left[parent.index] || has_way_out(n);
+        const bool stays = program_.at(n).op == Op::state && program_.state(n).atomic &&
+                           reach_.entered[n.index] && !left[n.index];
+        if (!stays) { continue; }
+        diagnostics_.warning("no-way-out", machine_.document.at(machine_.rows[n.index]).where,
+                             "the state \"" + std::string(program_.name(n)) +
+                                 "\" is not final, but no transition leads out of it");
+    }
+}
+
+bool Checks::has_way_out(RowId n) const {
+    const StateInfo& state = program_.state(n);
+    bool out = program_.at(n).op == Op::parallel_state;
+    for (std::uint32_t i = 0; i < state.transition_count && !out; ++i) {
+        const TransitionId id{state.first_transition + i};
+        out = program_.transitions[id.index].target_count != 0 && !reach_.instead[id.index];
+    }
+    return out;
 }
 
 void Checks::transitions() {
@@ -154,6 +218,26 @@ std::string Checks::why_not_done(std::string_view event) const {
         }
     }
     return {};
+}
+
+// done.state.ID, done.invoke.ID and error.REASON are the platform's names: one that is nearly so,
+// and that nothing here raises, is a slip.
+void Checks::platform_events() {
+    if (machine_.computes_events) { return; }
+    const std::vector<bool> raised = this->raised();
+    for (std::uint32_t i = 0; i < machine_.transitions.size(); ++i) {
+        if (!machine_.transitions[i]) { continue; }
+        const Transition& t = program_.transitions[i];
+        for (std::uint32_t k = 0; k < t.event_count; ++k) {
+            const EventId event = program_.descriptors[t.first_event + k];
+            const std::string& name = program_.events[event.index].text;
+            const std::string meant = raised[event.index] ? std::string() : meant_for(name);
+            if (meant.empty()) { continue; }
+            diagnostics_.warning(
+                "never-raised", attribute(machine_.transitions[i], "event")->value_where,
+                "nothing raises \"" + name + "\"; did you mean \"" + meant + "\"?");
+        }
+    }
 }
 
 // What <raise>, and <send> without a target, put into the machine's own queues.

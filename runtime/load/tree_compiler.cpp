@@ -153,6 +153,7 @@ void TreeCompiler::leaf(const Place& place, const LeafType& type) {
                       instance_name(place), document(place).at(place.element).where, call);
     if (!n) { return; }
     conditions(place, n);
+    if (type.most_children != 0) { children_of(place, n); }
     builder_.close(n);
 }
 

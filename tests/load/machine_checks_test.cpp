@@ -102,6 +102,52 @@ TEST_CASE("machine checks: done events of states and activities that do not exis
               .find("4:20: never-raised: nothing raises \"done.invoke.og.success\"") == 0);
 }
 
+TEST_CASE("machine checks: slips in the names of the platform's events") {
+    const auto slip = [](const std::string& event) {
+        return told("<state id='a'>\n<transition event='" + event + "'/></state>");
+    };
+    CHECK(slip("error.excution") ==
+          "3:20: never-raised: nothing raises \"error.excution\"; did you mean "
+          "\"error.execution\"?\n");
+    CHECK(slip("eror.communication.x") ==
+          "3:20: never-raised: nothing raises \"eror.communication.x\"; did you mean "
+          "\"error.communication.x\"?\n");
+    CHECK(slip("done.stat.a") == "3:20: never-raised: nothing raises \"done.stat.a\"; did you mean "
+                                 "\"done.state.a\"?\n");
+    CHECK(slip("x dome.invoke.a") ==
+          "3:20: never-raised: nothing raises \"dome.invoke.a\"; did you mean "
+          "\"done.invoke.a\"?\n");
+    for (const char* const good : {"error", "error.*", "error.execution", "error.platform.livelock",
+                                   "error.mine", "done.start", "done", "down.state", "e.x"}) {
+        CHECK(slip(good) == "");
+    }
+    CHECK(told("<state id='a'><onentry><raise event='error.excution'/></onentry><transition "
+               "event='error.excution'/></state>") == "");
+}
+
+TEST_CASE("machine checks: a state that cannot be left, in a machine that has an end") {
+    const std::string begin = "<state id='a'><transition event='e' target='b'/><transition "
+                              "event='f' target='end'/></state>\n";
+    const std::string end = "<final id='end'/>";
+    CHECK(told(begin + "<state id='b'/>" + end) ==
+          "3:2: no-way-out: the state \"b\" is not final, but no transition leads out of it\n");
+    CHECK(told(begin +
+               "<state id='b'><transition event='e'/><transition event='g' cond='false' "
+               "target='a'/></state>" +
+               end) ==
+          "3:2: no-way-out: the state \"b\" is not final, but no transition leads out of it\n");
+    // around it, or to itself: it goes on
+    CHECK(told(begin + "<state id='b'><state id='c'/><transition event='e' target='end'/></state>" +
+               end) == "");
+    CHECK(told(begin + "<state id='b'><transition event='e' target='b'/></state>" + end) == "");
+    // no end is meant, or another region may lead to it
+    CHECK(told("<state id='a'><transition event='e' target='b'/></state><state id='b'/>") == "");
+    CHECK(told(begin +
+               "<parallel id='b'><state id='r'/><state id='s'><transition event='e' "
+               "target='end'/></state></parallel>" +
+               end) == "");
+}
+
 TEST_CASE("machine checks: an event that is raised and that no transition is for") {
     CHECK(told("<state id='a'><onentry>\n<raise event='redy'/><raise event='ready.now'/></onentry>"
                "<transition event='ready'/></state>") ==
