@@ -119,7 +119,7 @@ struct LeafType {
     std::vector<StateMember> state;
     /// Answers at once: never running, called in every tick whatever it answered before.
     bool synchronous = false;
-    bool condition = false;             ///< returns a bool; shown as Condition, else as Action
+    bool condition = false;  ///< returns a bool; shown as Condition, else as Action
     /// More than 0: no leaf, but a control or, with 1, a decorator of another host, with `tick`
     /// null. Files that use it can be loaded and looked at, not stepped.
     std::uint32_t most_children = 0;

@@ -1,7 +1,7 @@
 // What is probably not meant in a machine that has no errors: states that are never entered or
-// cannot be left, transitions that are never taken, events that nothing raises or that no transition is for,
-// eventless transitions that never come to rest. Only what is certain is said, and as warnings.
-// Private to runtime/load. Covered by tests/load/machine_checks_test.cpp.
+// cannot be left, transitions that are never taken, events that nothing raises or that no
+// transition is for, eventless transitions that never come to rest. Only what is certain is said,
+// and as warnings. Private to runtime/load. Covered by tests/load/machine_checks_test.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 
