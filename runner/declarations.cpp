@@ -66,6 +66,13 @@ LeafType declared_node(const Document& document, ElementId model) {
     return leaf;
 }
 
+/// Whether a leaf has all ports of a declaration: else that is of another robot's leaf, whose name
+/// happens to be the same, as the Wait of Nav2.
+bool has_ports_of(const LeafType& leaf, const LeafType& declared) {
+    return std::all_of(declared.ports.begin(), declared.ports.end(),
+                       [&](const Port& port) { return leaf.find(port.name) != nullptr; });
+}
+
 bool has_child(const Document& document, std::string_view name) {
     for (const ElementId e : document.children(document.root())) {
         if (document.name(e) == name) { return true; }
@@ -148,7 +155,11 @@ void declare_nodes(const Document& document, Registry& registry) {
             const bool built_in = std::any_of(ops.begin(), ops.end(),
                                               [&](const OpInfo& op) { return op.element == id; });
             if (!most_children(document.name(model)) || built_in || id.empty()) { continue; }
-            if (registry.find(id) == nullptr) { registry.add(declared_node(document, model)); }
+            LeafType declared = declared_node(document, model);
+            const LeafType* const known = registry.find(id);
+            const bool is_new =
+                known == nullptr || (!is_declared(*known) && !has_ports_of(*known, declared));
+            if (is_new) { registry.add(std::move(declared)); }
         }
     }
 }

@@ -14,8 +14,8 @@
 namespace trellis {
 
 /// Registers the nodes that the <TreeNodesModel>s of a document declare, with their ports, but for
-/// subtrees and those that are built in or that the registry already has. All their inputs may be
-/// absent.
+/// subtrees and those that are built in or that the registry already has. One that the registry has
+/// with other ports is taken for another robot's, and replaces it. All their inputs may be absent.
 void declare_nodes(const Document& document, Registry& registry);
 
 /// Whether a node of the registry is only declared: it has no function to tick.

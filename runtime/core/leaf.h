@@ -366,9 +366,18 @@ public:
         return LeafBuilder<Leaf>(type);
     }
 
-    /// Adds a leaf whose description was not made from a struct. Its ports lie in `size` bytes that
-    /// are zero before `construct`.
-    void add(LeafType type) { types_.push_back(std::move(type)); }
+    /// Adds a leaf whose description was not made from a struct, in the place of the one of that
+    /// name if there is one; no program may use that yet. Its ports lie in `size` bytes that are
+    /// zero before `construct`.
+    void add(LeafType type) {
+        for (LeafType& known : types_) {
+            if (known.name == type.name) {
+                known = std::move(type);
+                return;
+            }
+        }
+        types_.push_back(std::move(type));
+    }
 
     /// Shows a member of the host to expressions, as `_x.NAME`.
     template <class Host, class T>

@@ -97,6 +97,24 @@ TEST_CASE("other robot: controls and decorators of a palette are checked like it
     CHECK(ran.out.find("RateController takes 1 child, found 2") != std::string::npos);
 }
 
+TEST_CASE("other robot: its leaf replaces the one of the same name that has other ports") {
+    MemoryFiles files = nav_files();
+    files.content["nav.xml"] = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">"
+                               "<Wait wait_duration=\"5\"/></BehaviorTree></root>";
+    files.content["nodes.xml"] = "<root BTCPP_format=\"4\"><TreeNodesModel><Action ID=\"Wait\">"
+                                 "<input_port name=\"wait_duration\"/></Action>"
+                                 "</TreeNodesModel></root>";
+    const std::vector<std::string> words = {"validate", "nav.xml", "--nodes", "nodes.xml"};
+    CHECK(run_words(files, words).out == "nav.xml: ok, 1 node; declared only: Wait\n");
+    CHECK(run_words(files, {"run", "nav.xml", "--nodes", "nodes.xml"})
+              .err.find("Wait is only declared") != std::string::npos);
+    // the Roomba's own, as `trellis nodes --xml` declares it
+    files.content["nav.xml"] = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">"
+                               "<Wait duration=\"5\"/></BehaviorTree></root>";
+    files.content["nodes.xml"] = run_words(files, {"nodes", "--xml"}).out;
+    CHECK(run_words(files, words).out == "nav.xml: ok, 1 node\n");
+}
+
 TEST_CASE("other robot: a palette in a file that is included counts like one in the file itself") {
     MemoryFiles files = nav_files();
     std::string including = tree;
